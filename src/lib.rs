@@ -54,6 +54,23 @@ pub use cga_runtime::grammar::attribute::{
 pub use cga_runtime::grammar::grammars::Grammars;
 pub use cga_runtime::grammar::parallel::Stretch;
 /// ```
+/// use cga::{Error, Scene, Settings, Shape, cga};
+///
+/// cga! {
+///     grammar House;
+///     attr height = 6
+///     Lot --> extrude(height) label("house") House
+///     House --> case contextCompare(all, "house", world.highest) == 0 : Highest. else : Lower.
+/// }
+///
+/// let lot = |x: f64, height: f64| Shape::rectangle(10.0, 8.0).at([x, 0.0, 0.0]).attribute("height", height);
+/// let lots = [lot(0.0, 6.0), lot(10.0, 12.0), lot(20.0, 9.0)];
+/// let models = Scene::new(&House::default(), &lots).generate(&Settings::default())?;
+/// assert_eq!((models.count("Highest"), models.count("Lower")), (1, 2));
+/// # Ok::<(), Error>(())
+/// ```
+pub use cga_runtime::grammar::scene::Scene;
+/// ```
 /// use cga::{Error, Grammar, Model, Settings, Shape, cga};
 ///
 /// cga! { grammar House; Lot --> extrude(6) House. }
@@ -90,6 +107,7 @@ pub use cga_runtime::output::batches::{Batch, Batches, RunError};
 pub use cga_runtime::output::error::WriteError;
 pub use cga_runtime::output::model::{Geometry, LeafView, Leaves, Model};
 pub use cga_runtime::run::building::Building;
+pub use cga_runtime::run::coordinate_system::CoordinateSystem;
 pub use cga_runtime::run::report::Report;
 pub use cga_runtime::run::report::{Collection, Print, Reports, Summary};
 pub use cga_runtime::run::rules::Rules;

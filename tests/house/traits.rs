@@ -23,15 +23,16 @@ use cga::{
     Building, Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault,
     FaultKind, Flow, Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RunError, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text,
-    Value, ValueType, Watch, WriteError, WrongLots, cga,
+    RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary,
+    Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
 cga! { grammar House; Lot --> House. }
 
 /// Public names that are traits or old names of types.
-const OTHER: [&str; 7] = ["AssetSource", "ChunkResult", "DynSession", "Grammar", "Rules", "ShapeError", "Sink"];
+const OTHER: [&str; 8] =
+    ["AssetSource", "ChunkResult", "CoordinateSystem", "DynSession", "Grammar", "Rules", "ShapeError", "Sink"];
 
 fn data<T: Clone + PartialEq + Debug + Send + Sync>() {}
 
@@ -63,7 +64,7 @@ fn public_types_have_the_common_traits() {
     // The error of a writer can be neither copied nor compared.
     each!(state: WriteError);
     // They share assets or a watch, or refer to a mesh, a model or a tree.
-    each!(state: Assets, Grammars, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
+    each!(state: Assets, Grammars, Scene<'static>, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution);
     // They belong to the thread of a run.

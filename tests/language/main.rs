@@ -1,13 +1,13 @@
 //! The language beyond splits and comps. Rules are text unless a test says otherwise; `sources.rs` compares inline rules,
 //! text and files.
 //!
-//! `getTreeKey` and context queries do not run yet, so of the former only the order of lines is tested. The runtime tests the
-//! table of reports.
+//! The runtime tests the table of reports.
 #![allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 
 mod arrays;
 mod attributes;
 mod chance;
+mod context;
 mod deep;
 mod defaults;
 mod district;
@@ -15,6 +15,7 @@ mod dynamic;
 mod facts;
 mod failed_booleans;
 mod functions;
+mod geo_coord;
 mod grammar;
 mod host;
 mod hygiene;
@@ -25,6 +26,7 @@ mod json;
 mod lazy;
 mod locals;
 mod lots;
+mod occlusion;
 mod old_names;
 mod old_spellings;
 mod operations;
@@ -36,6 +38,7 @@ mod queries;
 mod recompose;
 mod reconnected;
 mod run;
+mod scene;
 mod shape_tree;
 mod shared;
 mod sources;
@@ -43,6 +46,7 @@ mod stopping;
 mod styles;
 mod text;
 mod tiny;
+mod tree_keys;
 mod values;
 
 use cga::{Array, Grammar, Model, Shape, Text, Value};

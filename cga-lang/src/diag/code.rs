@@ -119,6 +119,7 @@ codes! {
     TextureWithoutUv "texture_without_uv" Warning "A texture on a shape without texture coordinates.",
     MissingAsset "missing_asset" Warning "A file that is missing from the package, or an asset without faces.",
     UnknownTag "unknown_tag" Warning "A query for a tag that no operation gives.",
+    UnknownLabel "unknown_label" Warning "A query for a label that no rule leaves.",
     UnknownGroup "unknown_group" Warning "A group or material that is missing from an asset.",
     DivisionByZero "division_by_zero" Warning "A division by zero in every run.",
     // Values.

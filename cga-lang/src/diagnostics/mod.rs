@@ -12,6 +12,7 @@ mod edges;
 mod elements;
 mod faces;
 mod instances;
+mod labels;
 pub(crate) mod levels;
 mod numbers;
 mod operands;
@@ -101,7 +102,7 @@ pub(crate) fn check(cx: &mut Context) {
         });
     }
     let certain = common.finish();
-    let mut found = vec![blocks::check(cx), dead_code::check(cx)];
+    let mut found = vec![blocks::check(cx), dead_code::check(cx), labels::check(cx)];
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
         found.extend([reachability::check(cx, calls), start::check(cx, calls)]);

@@ -16,6 +16,7 @@
 
 mod closure;
 mod functions;
+mod queries;
 mod reads;
 mod rules;
 #[cfg(test)]
@@ -28,6 +29,7 @@ use std::ops::BitOr;
 
 pub use crate::ops::Uses;
 pub(crate) use closure::closure;
+pub use queries::Queries;
 pub use reads::Reads;
 
 /// The facts of a grammar.

@@ -37,7 +37,7 @@ mod splits;
 mod templates;
 mod trails;
 
-use crate::ir::facts::Facts;
+use crate::ir::facts::{Facts, Queries};
 use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
 use crate::ops::Uses;
 use std::collections::HashSet;
@@ -104,6 +104,17 @@ impl<'g> RunPlan<'g> {
     /// Returns true if a rule, an attribute or a constant reads or sets tags. Otherwise operations do not tag the edges that they make.
     pub fn has_tags(&self) -> bool {
         self.facts.all(self.grammar).has(Uses::TAGS)
+    }
+
+    /// By start rule, the queries of other shapes that a run from it can reach.
+    pub fn start_queries(&self) -> Vec<Queries> {
+        Queries::by_start(self.grammar)
+    }
+
+    /// Returns true if runs tell when they enter and leave a block: queries of closed shapes of the same initial shape leave out the
+    /// shapes above and below a place, and the parts of a split are places of their own.
+    pub fn tells_parts(&self) -> bool {
+        self.start_queries().iter().any(|queries| queries.has(Queries::INTRA_OCCLUSION))
     }
 
     /// Returns true for a `NIL` of the rule `from` that moves its neighbours: the shape vanishes from a recomposition.

@@ -2,7 +2,7 @@
 
 use super::base::{both, get, using};
 use super::material::MATERIAL;
-use super::{AttrValues, B, Effect, F, Needs, ParamKind, Run, ShapeAttr, T, Uses};
+use super::{AttrValues, B, Effect, F, Needs, ParamKind, ShapeAttr, T, Uses};
 
 /// All attributes of shapes.
 pub static SHAPE_ATTRS: &[&[ShapeAttr]] = &[SHAPE, MATERIAL];
@@ -45,7 +45,8 @@ static SHAPE: &[ShapeAttr] = &[
     scope("scope.rx", "scope_rx"),
     scope("scope.ry", "scope_ry"),
     scope("scope.rz", "scope_rz"),
-    get("scope.elevation", "scope_elevation", Uses::PLACE),
+    // The coordinate system of the scene may change it.
+    ShapeAttr { needs: Needs::Both, ..get("scope.elevation", "scope_elevation", Uses::PLACE) },
     // Before the first split, the index is -1 and the total is 0.
     from(-1.0, get("split.index", "split_index", Uses::INDEX)),
     from(0.0, get("split.total", "split_total", Uses::TOTAL)),
@@ -56,7 +57,11 @@ static SHAPE: &[ShapeAttr] = &[
     both("trim.horizontal", "trim_horizontal", B),
     using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),
     // Old rules distinguish shapes by it; *getTreeKey* replaced it.
-    ShapeAttr { get: Run::Later, old: Some("write `getTreeKey()`, which is text"), ..get("uid", "", Uses::WHOLE) },
+    ShapeAttr {
+        needs: Needs::Env,
+        old: Some("write `getTreeKey()`, which is text"),
+        ..get("uid", "uid", Uses::TREE_KEY)
+    },
     ShapeAttr { kind: TEXT, ..initial("initialShape.name", "initial_shape_name") },
     ShapeAttr { kind: TEXT, ..initial("initialShape.startRule", "initial_shape_start_rule") },
     ShapeAttr {

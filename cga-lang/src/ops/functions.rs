@@ -3,7 +3,7 @@
 use super::base::later;
 use super::{
     Allowed, B, Default, F, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS, Uses, bounds,
-    choice, or, queries, renamed, set_elements, text, values, within, word, words,
+    choice, or, queries, renamed, set_elements, text, values, within, word,
 };
 use crate::types::Type;
 
@@ -48,7 +48,7 @@ static LABELS: ParamBounds =
 
 const LABEL: Param = within(text("label"), &LABELS);
 
-const TARGET: Param = words("target", &["intra", "inter", "all"]);
+const TARGET: Param = word("target", "QueryTarget", &["intra", "inter", "all"]);
 
 /// Without a target, `all` is used (*occlusion queries*).
 const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
@@ -56,8 +56,9 @@ const OPTIONAL_TARGET: Param = or(TARGET, Default::Word("all"));
 /// An empty label means no label.
 const OPTIONAL_LABEL: Param = or(text("label"), Default::Text(""));
 
-const COMPARISON: Param = words(
+const COMPARISON: Param = word(
     "comparisonType",
+    "ContextComparison",
     &[
         "world.northernmost",
         "world.southernmost",
@@ -70,7 +71,7 @@ const COMPARISON: Param = words(
     ],
 );
 
-const GEO_COORDINATE: Param = words("geoCoordinate", &["X", "Y", "lon", "lat"]);
+const GEO_COORDINATE: Param = word("geoCoordinate", "GeoCoordinate", &["X", "Y", "lon", "lat"]);
 
 const EDGE_ATTRIBUTE: Params = &[text("attributeName")];
 
@@ -81,19 +82,60 @@ const fn edge_attr(name: Str, call: Str, ty: Type) -> Function {
     Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, EDGE_ATTRIBUTE, ty, about) }
 }
 
+/// A query of other shapes.
+const fn asks(name: Str, call: Str, uses: Uses, params: Params, ty: Type, about: Str) -> Function {
+    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, params, ty, about) }
+}
+
+/// A query of other closed shapes.
+const fn occlusion(name: Str, about: Str) -> Function {
+    asks(name, name, Uses::OCCLUSION, &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, about)
+}
+
 /// Other shapes, the edges of the initial shape, and the place of a shape on Earth.
 static CONTEXT: &[Function] = &[
-    later("inside", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is inside another closed shape"),
-    later("overlaps", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape is partly inside another closed shape"),
-    later("touches", &[OPTIONAL_TARGET, OPTIONAL_LABEL], B, "whether the shape touches another closed shape"),
-    later("minimumDistance", &[TARGET, LABEL], F, "the distance to the nearest shape of a label"),
-    later("contextCompare", &[TARGET, LABEL, COMPARISON], F, "the rank among the shapes of a label"),
-    later("contextCount", &[TARGET, LABEL], F, "how many shapes have a label"),
+    occlusion("inside", "whether the shape is inside another closed shape"),
+    occlusion("overlaps", "whether the shape is partly inside another closed shape"),
+    occlusion("touches", "whether the shape touches another closed shape"),
+    asks(
+        "minimumDistance",
+        "minimum_distance",
+        Uses::CONTEXT,
+        &[TARGET, LABEL],
+        F,
+        "the distance to the nearest shape of a label",
+    ),
+    asks(
+        "contextCompare",
+        "context_compare",
+        Uses::CONTEXT,
+        &[TARGET, LABEL, COMPARISON],
+        F,
+        "the rank among the shapes of a label",
+    ),
+    asks("contextCount", "context_count", Uses::CONTEXT, &[TARGET, LABEL], F, "how many shapes have a label"),
     edge_attr("edgeAttr.getFloat", "edge_attr_float", F),
     edge_attr("edgeAttr.getString", "edge_attr_string", T),
     edge_attr("edgeAttr.getBool", "edge_attr_bool", B),
-    later("getGeoCoord", &[GEO_COORDINATE], F, "a coordinate of the scope's origin on the map"),
-    later("getTreeKey", &[], T, "the way from the initial shape to this one, as a list of numbers"),
+    asks(
+        "getGeoCoord",
+        "get_geo_coord",
+        Uses::PLACE.and(Uses::SAYS),
+        &[GEO_COORDINATE],
+        F,
+        "a coordinate of the scope's origin on the map",
+    ),
+    Function {
+        needs: Needs::Env,
+        ..asks(
+            "getTreeKey",
+            "get_tree_key",
+            Uses::TREE_KEY,
+            &[],
+            T,
+            "the way from the initial shape to this one, as a list of numbers",
+        )
+    },
 ];
 
 const TAGGED: Param =

@@ -41,7 +41,7 @@ pub use uses::Uses;
 
 use params::{
     FILE, HEX, TAG_QUERY, boolean, bounds, channel, file, files, float, length, of, or, outdated, param, renamed, size,
-    takes, text, unknown, uv_set, within, word, words,
+    takes, text, unknown, uv_set, within, word,
 };
 
 /// The implementation of a row.

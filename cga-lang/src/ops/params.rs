@@ -80,7 +80,7 @@ pub struct Words {
     pub list: &'static [&'static str],
     /// Old words with their replacements. They are also in the list.
     pub old: Pairs,
-    /// The enum of the runtime that has a variant for each word. Rows that are not implemented have none.
+    /// The enum of the runtime that has a variant for each word.
     pub rust: Option<&'static str>,
     /// Words whose variant has another name, with this name.
     pub renamed: Pairs,
@@ -263,11 +263,6 @@ const WORDS: Words = Words { list: &[], old: &[], rust: None, renamed: &[], unkn
 /// A parameter for words, each of which is a variant of an enum of the runtime.
 pub(super) const fn word(name: &'static str, rust: &'static str, list: &'static [&'static str]) -> Param {
     param(name, ParamKind::Word(Words { list, rust: Some(rust), ..WORDS }))
-}
-
-/// A parameter for words, in a row that is not implemented.
-pub(super) const fn words(name: &'static str, list: &'static [&'static str]) -> Param {
-    param(name, ParamKind::Word(Words { list, ..WORDS }))
 }
 
 /// The parameter with words whose variants have other names.

@@ -12,8 +12,8 @@ pub struct Uses(u16);
 impl Uses {
     /// Nothing.
     pub const NONE: Uses = Uses(0);
-    /// Everything, as for Rust code that gets the shape.
-    pub const ALL: Uses = Uses(u16::MAX);
+    /// Everything that Rust code can read of the shape that it gets. It cannot ask about other shapes.
+    pub const ALL: Uses = Uses((1 << 12) - 1);
     /// Random numbers are drawn from the shape's seed, or the seed itself is read or set: `rand`, `p`, chances in
     /// expressions and rules, `seedian`.
     pub const DRAWS: Uses = Uses(1);
@@ -49,6 +49,18 @@ impl Uses {
     /// Tags of edges or vertices are read or set: `isTagged`, `geometry.hasTags`, `tag`. In grammars without such a use,
     /// operations do not tag the edges that they make.
     pub const TAGS: Uses = Uses(1 << 8);
+
+    /// Other closed shapes are asked about: `overlaps`, `inside`, `touches`. The answer differs from place to place, and between the
+    /// derivations of one initial shape.
+    pub const OCCLUSION: Uses = Uses(1 << 12).and(Uses::ASKS);
+    /// Labelled shapes are asked about: `minimumDistance`, `contextCount`, `contextCompare`.
+    pub const CONTEXT: Uses = Uses(1 << 13).and(Uses::ASKS);
+    /// The place in the tree of shapes is read: `getTreeKey`.
+    pub const TREE_KEY: Uses = Uses(1 << 14).and(Uses::SAYS);
+    /// A labelled copy of the shape is left for queries: `label`.
+    pub const LABELS: Uses = Uses(1 << 15).and(Uses::ASKS);
+    /// What queries of other shapes have in common: place and geometry count, and no derivation with one is replayed.
+    const ASKS: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
 
     /// The union, in constants.
     pub const fn and(self, other: Uses) -> Uses {
@@ -96,6 +108,10 @@ impl Uses {
             (Uses::SAYS, "says"),
             (Uses::TAGS, "tags"),
             (Uses::REPORTS, "reports"),
+            (Uses::OCCLUSION, "occlusion"),
+            (Uses::CONTEXT, "context"),
+            (Uses::TREE_KEY, "tree key"),
+            (Uses::LABELS, "labels"),
         ];
         let is_shown = move |part: Uses| {
             let is_more =

@@ -66,7 +66,7 @@ fn parameters_are_well_formed() {
 
 #[test]
 fn a_function_uses_the_shape_if_it_gets_one() {
-    let of_shape = |uses: Uses| uses.but(Uses::SAYS);
+    let of_shape = |uses: Uses| uses.but(Uses::SAYS | Uses::TREE_KEY);
     let fits = |needs: Needs, uses: Uses| match needs {
         Needs::Nothing => uses.is_none(),
         Needs::Env => of_shape(uses).is_none(),

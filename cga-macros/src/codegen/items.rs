@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use cga_lang::ir::facts::Queries;
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -97,6 +98,13 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let start_rows = starts.iter().map(attribute_table::start);
     let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
     let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
+    // Grammars without queries have the default.
+    let queries = cx.plan.start_queries();
+    let has_queries = queries.iter().any(|queries| *queries != Queries::NONE);
+    let queries = has_queries.then(|| {
+        let queries = queries.iter().map(|queries| Literal::u8_suffixed(queries.bits()));
+        code!(const START_QUERIES: &'static [::core::primitive::u8] = &[#(#queries),*];)
+    });
     // Styles may share a rule.
     let mut start_rules: Vec<RuleId> = starts.iter().map(|start| start.rule).collect();
     start_rules.sort_unstable();
@@ -141,6 +149,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
             const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
             const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
+            #queries
 
             fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
                 #check

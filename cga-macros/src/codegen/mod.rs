@@ -48,6 +48,8 @@ struct Generator<'a> {
     source: &'a Source,
     names: names::ItemNames,
     plan: RunPlan<'a>,
+    /// True if blocks tell when they are entered and left.
+    tells_parts: bool,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
     /// The required type of each `#` value.
@@ -70,6 +72,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         grammar,
         source,
         names,
+        tells_parts: plan.tells_parts(),
         plan,
         captured: header.name.is_none(),
         hosts,

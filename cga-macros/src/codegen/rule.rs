@@ -66,7 +66,7 @@ impl Generator<'_> {
             Childless::Never => Tail::default(),
         };
         let steps = self.steps(&rule.body, InRule { id, rule }, 0, &tail);
-        let (enter, leave) = (self.enter(rule, id), leave(rule));
+        let (enter, leave) = (self.enter(rule, id), self.leave(rule));
         code! {
             #doc
             #[inline(never)]
@@ -128,11 +128,19 @@ impl Generator<'_> {
     /// Adds a rule to the trail; a block is a part of its rule.
     fn enter(&self, rule: &Rule, id: RuleId) -> TokenStream {
         if rule.block {
-            return TokenStream::new();
+            return if self.tells_parts { code!(cx.enter_block();) } else { TokenStream::new() };
         }
         let numbers: Vec<u32> = self.plan.trails.of(id).collect();
         let number = site::of_site(&numbers);
         code!(cx.enter(#number, shape)?;)
+    }
+
+    fn leave(&self, rule: &Rule) -> TokenStream {
+        match (rule.block, self.tells_parts) {
+            (false, _) => code!(cx.leave()),
+            (true, true) => code!(cx.leave_block()),
+            (true, false) => code!(cga_rt::Flow::Continue(())),
+        }
     }
 
     /// The values of locals: they are the last parameters.
@@ -430,10 +438,6 @@ impl Generator<'_> {
 pub(super) fn successor(number: u32) -> TokenStream {
     let number = Literal::u32_unsuffixed(number);
     code!(let part = &cga_rt::successor(shape, #number);)
-}
-
-fn leave(rule: &Rule) -> TokenStream {
-    if rule.block { code!(cga_rt::Flow::Continue(())) } else { code!(cx.leave()) }
 }
 
 /// The types of the parameters that are given; locals are not.

@@ -28,6 +28,7 @@ use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::base::Base;
+use crate::shape::body::Body;
 use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
@@ -146,6 +147,7 @@ pub fn comp<C>(
     visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
 ) -> Flow {
     let whole = to_divide(cx, shape, number);
+    cx.env.collect_divided(|| Body::from(&whole));
     let parts = AssignedComponents::of(cx.env, &whole, components, align, arms, when)?;
     if let ComponentSource::Quads(quads) = &parts.source {
         return parts.each_side(quads, cx, visit);

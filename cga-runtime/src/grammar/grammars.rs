@@ -1,17 +1,21 @@
 //! Several grammars with names, for lists of lots of different kinds.
 
 use std::fmt;
+use std::sync::Arc;
 
-use crate::fault::Error;
-use crate::grammar::parallel::{Stretch, generate_by, run_by};
+use crate::fault::{Error, Fault};
+use crate::grammar::parallel::{Runs, Stretch, alone, generate_by, run_by};
 use crate::grammar::session::DynSession;
 use crate::grammar::{Grammar, lots};
 use crate::output::batches::{Batches, RunError};
 use crate::output::model::Model;
-use crate::run::derive::{self, RunOutcome};
+use crate::run::derive::{self, NoResult, RunOutcome};
+use crate::run::ghost::{Collect, Ghost};
+use crate::run::queries::Queries;
 use crate::run::report::Report;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
+use crate::run::surroundings::Neighbours;
 use crate::shape::Shape;
 use crate::value::shown::shown;
 use crate::value::text::Text;
@@ -112,7 +116,8 @@ impl Grammars {
     /// # Errors
     /// The first error in the order of the lots.
     pub fn generate_all(&self, lots: &[Shape], settings: &Settings) -> Result<Batches<Model>, RunError> {
-        generate_by(&|settings| Ok(self.session(settings)), lots, settings)
+        let open = |settings: &Settings| Ok(self.session(settings));
+        generate_by(&Runs { open: &open, count: lots.len(), run: &alone(lots) }, settings)
     }
 
     /// Runs on many lots, in parallel with the feature `rayon`, with a sink for each stretch of lots.
@@ -125,7 +130,8 @@ impl Grammars {
         settings: &Settings,
         sink: impl Fn(&Stretch) -> S + Sync,
     ) -> Result<Batches<S>, RunError> {
-        run_by(&|settings| Ok(self.session(settings)), lots, settings, sink)
+        let open = |settings: &Settings| Ok(self.session(settings));
+        run_by(&Runs { open: &open, count: lots.len(), run: &alone(lots) }, settings, sink)
     }
 }
 
@@ -150,42 +156,65 @@ impl GrammarsSession<'_> {
         };
         (number.unwrap_or_default(), number.is_none().then(problem))
     }
+
+    /// Passes a lot with its start rule to the session of its grammar. Returns the result, and the faults of the lot.
+    ///
+    /// # Errors
+    /// The lot is refused, or its grammar is.
+    fn of_lot<T>(
+        &mut self,
+        lot: &Shape,
+        run: impl FnOnce(&mut (dyn DynSession + '_), &Shape) -> T,
+    ) -> Result<(T, Vec<Fault>), Error> {
+        let (number, problem) = self.number_of(lot);
+        let Some((_, grammar)) = self.grammars.list.get(number) else {
+            let problems = vec!["the set has no grammars".to_owned()];
+            return Err(Error::Lot { lot: lot.name().to_owned(), problems });
+        };
+        let faults = lots::faults(lot, problem.as_slice(), self.settings.wrong_lots)?;
+        let session = match &mut self.sessions[number] {
+            Some(session) => session,
+            none => none.insert(grammar.session(&self.settings)?),
+        };
+        // The rule of the settings need not be in all grammars, so each lot without a rule of its own gets it.
+        let started = match (&self.start, lot.start_name()) {
+            (Some(start), None) => &lot.with_start(Some(start)),
+            _ => lot,
+        };
+        Ok((run(&mut **session, started), faults))
+    }
 }
 
 impl DynSession for GrammarsSession<'_> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-        let RunOutcome { report, error } = self.outcome(shape, sink);
+        let RunOutcome { report, error } = self.outcome(shape, None, sink);
         if self.echo {
             derive::echo(&report.prints);
         }
         error.map_or(Ok(report), Err)
     }
 
-    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+    fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
         if let Some(stopped) = RunOutcome::stopped(&self.settings) {
             return stopped;
         }
-        let (number, problem) = self.number_of(shape);
-        let Some((_, grammar)) = self.grammars.list.get(number) else {
-            let problems = vec!["the set has no grammars".to_owned()];
-            return RunOutcome::failed(Error::Lot { lot: shape.name().to_owned(), problems });
-        };
-        let faults = match lots::faults(shape, problem.as_slice(), self.settings.wrong_lots) {
-            Ok(faults) => faults,
-            Err(error) => return RunOutcome::failed(error),
-        };
-        let known = self.sessions[number].take();
-        let session = match known.map_or_else(|| grammar.session(&self.settings), Ok) {
-            Ok(session) => self.sessions[number].insert(session),
-            Err(error) => return RunOutcome::failed(error),
-        };
-        // The rule of the settings need not be in all grammars, so each lot without a rule of its own gets it.
-        let started = match (&self.start, shape.start_name()) {
-            (Some(start), None) => &shape.with_start(Some(start)),
-            _ => shape,
-        };
-        let mut outcome = session.outcome(started, sink);
-        outcome.report.begin_with(faults);
-        outcome
+        let run = |session: &mut (dyn DynSession + '_), lot: &Shape| session.outcome(lot, neighbours, sink);
+        match self.of_lot(shape, run) {
+            Ok((mut outcome, faults)) => {
+                outcome.report.begin_with(faults);
+                outcome
+            }
+            Err(error) => RunOutcome::failed(error),
+        }
+    }
+
+    fn queries(&mut self, shape: &Shape) -> Queries {
+        self.of_lot(shape, |session, lot| session.queries(lot))
+            .map_or_else(|_| Queries::default(), |(queries, _)| queries)
+    }
+
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        let found = self.of_lot(shape, |session, lot| session.ghost(lot, collect)).map_err(NoResult::Failed)?;
+        found.0
     }
 }

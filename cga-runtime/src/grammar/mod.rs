@@ -8,6 +8,7 @@ mod json;
 pub(crate) mod lazy;
 mod lots;
 pub mod parallel;
+pub mod scene;
 pub mod session;
 pub(crate) mod support;
 mod unrunnable;
@@ -66,7 +67,9 @@ pub trait Grammar {
 
     /// The names and values of the attributes that a run on a shape uses, in the order of
     /// [`attributes`](Grammar::attributes): those that were set, and defaults that are computed for this shape from its
-    /// geometry and its seed. Attributes that the style of the start rule does not have are left out. No rule runs.
+    /// geometry and its seed. Attributes that the style of the start rule does not have are left out. No rule runs, so queries of other shapes
+    /// in defaults give false, 0 or an infinite distance; [`Building::attributes`](crate::run::building::Building::attributes) has the
+    /// values of a run.
     ///
     /// # Errors
     /// The errors of a run before its first rule: [`Error::Attribute`], [`Error::StartRule`], [`Error::Shape`],

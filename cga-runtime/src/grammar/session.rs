@@ -3,18 +3,27 @@
 //! A [`Session`] checks the attributes and finds the start rule once, and for lots with data of their own once for equal data. It keeps
 //! data that runs can share. The results of its runs equal the results of single runs. A session belongs to one thread; parallel runs have
 //! one session each, see [`parallel`](crate::grammar::parallel).
+//!
+//! If rules ask about shapes of the same initial shape, a run derives it twice, and Rust functions in rules are called in both derivations.
+//! The first one leaves no reports, prints and faults, and its error ends the run. Queries of other initial shapes give their defaults,
+//! unless the run is part of a [`Scene`](crate::grammar::scene::Scene).
 
 use std::borrow::Cow;
 use std::fmt;
+use std::sync::Arc;
 
-use crate::fault::Error;
+use crate::fault::{Error, Fault};
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
-use crate::run::derive::{self, GrammarNames, Kept, RunOutcome, Start};
+use crate::run::derive::{self, Derivation, GrammarNames, Kept, NoResult, RunOutcome, Start};
+use crate::run::ghost::leaf_sink::LeafGhost;
+use crate::run::ghost::{Collect, Ghost};
+use crate::run::queries::Queries;
 use crate::run::report::Report;
 use crate::run::rules::Rules;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
+use crate::run::surroundings::Neighbours;
 use crate::shape::Shape;
 use crate::shape::lot::Lot;
 use crate::value::Value;
@@ -49,6 +58,16 @@ struct LotGrammar<G: Rules> {
     start: Start,
     problems: Vec<String>,
     kept: Kept<G::Call>,
+}
+
+/// A run that can begin.
+struct Prepared<'s, G: Rules> {
+    grammar: &'s G,
+    start: Start,
+    settings: &'s Settings,
+    kept: &'s mut Kept<G::Call>,
+    /// The faults of a lot, which come first.
+    faults: Vec<Fault>,
 }
 
 /// The number of [`LotGrammar`]s that a session keeps.
@@ -98,7 +117,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// [`Error::Shape`], [`Error::Lot`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
     pub fn run<S: Sink + ?Sized>(&mut self, shape: &Shape, sink: &mut S) -> Result<Report, Error> {
-        let outcome = self.outcome(shape, &mut { sink });
+        let outcome = self.outcome(shape, None, &mut { sink });
         if self.setup.settings.echo {
             derive::echo(&outcome.report.prints);
         }
@@ -115,23 +134,45 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
         Ok(model.with_report(report).with_assets(self.setup.settings.assets.clone()))
     }
 
-    /// Runs on a shape, without echo.
-    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
-        let Setup { grammar, settings, start } = &self.setup;
-        if let Some(stopped) = RunOutcome::stopped(settings) {
-            return stopped;
-        }
-        if let Err(error) = shape.check_initial() {
-            return RunOutcome::failed(error);
-        }
-        match shape.lot() {
-            None => run_named(*grammar, *start, shape, settings, &mut self.kept, sink),
-            Some(lot) => self.outcome_of_lot(lot, shape, sink),
-        }
+    /// Runs on a shape among shapes of other initial shapes, without echo.
+    fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
+        let prepared = match self.prepared(shape) {
+            Ok(prepared) => prepared,
+            Err(reason) => return reason.into(),
+        };
+        let Prepared { grammar, start, settings, kept, faults } = prepared;
+        let mut outcome = run_named(&Derivation { rules: grammar, start, shape, settings }, neighbours, kept, sink);
+        outcome.report.begin_with(faults);
+        outcome
     }
 
-    /// Runs on a shape with data of its own.
-    fn outcome_of_lot(&mut self, lot: &Lot, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+    /// The shapes that a run on a shape leaves for the queries of its neighbours.
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        let Prepared { grammar, start, settings, .. } = self.prepared(shape)?;
+        Derivation { rules: grammar, start, shape, settings }.ghost(collect)
+    }
+
+    /// The queries of other shapes that a run on a shape can reach.
+    fn queries(&self, shape: &Shape) -> Queries {
+        let own = shape.start_name().and_then(|rule| derive::start_rule::<G>(Some(rule)).ok());
+        own.unwrap_or(self.setup.start).queries
+    }
+
+    /// Prepares a run on a shape.
+    fn prepared(&mut self, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
+        if RunOutcome::stopped(&self.setup.settings).is_some() {
+            return Err(NoResult::Stopped);
+        }
+        shape.check_initial().map_err(NoResult::Failed)?;
+        if let Some(lot) = shape.lot() {
+            return self.prepared_lot(lot, shape);
+        }
+        let Session { setup: Setup { grammar, settings, start }, kept, .. } = self;
+        Ok(Prepared { grammar, start: *start, settings, kept, faults: Vec::new() })
+    }
+
+    /// Prepares a run on a shape with data of its own.
+    fn prepared_lot(&mut self, lot: &Lot, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
         let Session { setup, of_lots, .. } = self;
         match of_lots.iter().position(|known| known.lot.is_same(lot)) {
             Some(at) => of_lots[..=at].rotate_right(1),
@@ -142,29 +183,22 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             }
         }
         let LotGrammar { grammar, start, problems, kept, .. } = &mut of_lots[0];
-        let faults = match lots::faults(shape, problems, setup.settings.wrong_lots) {
-            Ok(faults) => faults,
-            Err(error) => return RunOutcome::failed(error),
-        };
-        let mut outcome = run_named(grammar, *start, shape, &setup.settings, kept, sink);
-        outcome.report.begin_with(faults);
-        outcome
+        let faults = lots::faults(shape, problems, setup.settings.wrong_lots).map_err(NoResult::Failed)?;
+        Ok(Prepared { grammar, start: *start, settings: &setup.settings, kept, faults })
     }
 }
 
 /// Runs a grammar on a shape that was checked, with the names that the grammar has.
 fn run_named<G: Rules + Grammar>(
-    grammar: &G,
-    start: Start,
-    shape: &Shape,
-    settings: &Settings,
+    run: &Derivation<'_, G>,
+    neighbours: Option<&Arc<Neighbours>>,
     kept: &mut Kept<G::Call>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
-    let attributes = grammar.attributes();
+    let attributes = run.rules.attributes();
     let attribute = |index: usize| attributes.get(index).map_or("", |attribute| attribute.name);
-    let names = GrammarNames { grammar: grammar.name(), attribute: &attribute };
-    derive::run(grammar, start, shape, settings, kept, &names, sink)
+    let names = GrammarNames { grammar: run.rules.name(), attribute: &attribute };
+    derive::run(run, neighbours, kept, &names, sink)
 }
 
 /// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].
@@ -175,12 +209,29 @@ pub trait DynSession {
     /// See [`Error`].
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error>;
 
-    /// Runs on a shape, without echo, and keeps the report of a run that fails.
+    /// Runs on a shape among shapes of other initial shapes, without echo, and keeps the report of a run that fails.
     #[doc(hidden)]
-    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
+    fn outcome(&mut self, shape: &Shape, _neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
         match self.run(shape, sink) {
             Ok(report) => RunOutcome { report, error: None },
             Err(error) => RunOutcome::failed(error),
+        }
+    }
+
+    /// The queries of other shapes that a run on a shape can reach. A grammar that is written by hand has none.
+    #[doc(hidden)]
+    fn queries(&mut self, _shape: &Shape) -> Queries {
+        Queries::default()
+    }
+
+    /// The shapes that a run on a shape leaves for the queries of its neighbours. A grammar that is written by hand leaves its closed
+    /// leaves.
+    #[doc(hidden)]
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        let mut leaves = LeafGhost::new(collect);
+        match self.outcome(shape, None, &mut leaves) {
+            RunOutcome { report, error: None } if !report.stopped => Ok(leaves.finish()),
+            RunOutcome { error, .. } => Err(error.map_or(NoResult::Stopped, NoResult::Failed)),
         }
     }
 }
@@ -190,8 +241,16 @@ impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
         Session::run(self, shape, sink)
     }
 
-    fn outcome(&mut self, shape: &Shape, sink: &mut dyn Sink) -> RunOutcome {
-        Session::outcome(self, shape, sink)
+    fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
+        Session::outcome(self, shape, neighbours, sink)
+    }
+
+    fn queries(&mut self, shape: &Shape) -> Queries {
+        Session::queries(self, shape)
+    }
+
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        Session::ghost(self, shape, collect)
     }
 }
 

@@ -41,7 +41,7 @@ pub use create::taper::taper;
 pub use create::trim::trim;
 pub use face::delete_holes::delete_holes;
 pub use face::inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
-pub use face::offset::offset;
+pub use face::offset::{offset, offset_selected};
 pub use face::perimeter::{perimeter, perimeter_of};
 pub use face::setback::{setback, setback_each, setback_per_edge};
 pub use face::setback_to_area::{setback_to_area, setback_to_area_between, setback_to_area_from};

@@ -17,11 +17,13 @@ pub fn print(env: &mut Env, _: &mut impl View, value: impl Into<Value>) {
     env.print(value.into());
 }
 
-/// `label(name)`: a labelled copy of the shape for context and occlusion queries (*label operation*). These queries
-/// are not implemented yet, so nothing is stored. An empty name is a fault.
-pub fn label(env: &mut Env, _: &mut impl View, name: Text) {
+/// `label(name)`: leaves a labelled copy of the shape, which queries of other shapes find (*label operation*). The shape itself goes on
+/// without a label. An empty name is a fault.
+pub fn label(env: &mut Env, shape: &mut impl View, name: Text) {
     if name.is_empty() {
         env.fault(FaultKind::Value, "a label must not be empty; the shape gets none");
+    } else {
+        env.collect_label(name, || shape.body());
     }
 }
 

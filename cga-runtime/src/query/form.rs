@@ -7,6 +7,7 @@ use crate::comp::select::Word;
 use crate::geometry::mesh::{FaceRef, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
 use crate::run::env::Env;
+use crate::shape::body::is_closed_surface;
 use crate::shape::{Inserted, Placed, Shape};
 
 /// `geometry.isConcave()`: true if a face has a reflex corner (*geometry.isConcave function*). A straight corner is
@@ -66,8 +67,7 @@ pub fn geometry_is_oriented(env: &Env, shape: &Shape, selector: Word) -> bool {
 /// function*).
 pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
     let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return false };
-    let adjacency = mesh.adjacency();
-    !mesh.is_empty() && (0..adjacency.edge_count()).all(|edge| adjacency.faces_at(edge).count() == 2)
+    is_closed_surface(&mesh)
 }
 
 /// `geometry.isInstanced()`: true if the geometry is an asset or a primitive that has not changed since its insertion

@@ -30,8 +30,6 @@ numbers! { (impl View)
     scope_sy = |shape| shape.size().y;
     /// The depth.
     scope_sz = |shape| shape.size().z;
-    /// The height of the scope's origin above the world's ground.
-    scope_elevation = |shape| shape.origin().y;
     /// The index of the part in the last split, from 0; -1 before any split.
     split_index = |shape| f64::from(shape.split_index());
     /// The number of parts of the last split.
@@ -55,6 +53,22 @@ numbers! { (Shape)
     comp_index = |shape| f64::from(shape.comp.index());
     /// The number of components of its selector.
     comp_total = |shape| f64::from(shape.comp.total());
+}
+
+/// The height of the scope's origin above sea level, in metres: its y coordinate, unless the scene has a coordinate system.
+#[inline]
+pub fn scope_elevation(env: &Env, shape: &impl View) -> f64 {
+    let origin = shape.origin();
+    env.settings.coordinates.as_ref().map_or(origin.y, |system| system.elevation(origin))
+}
+
+/// The old number of a shape: equal for equal keys, and different for different ones but for chance. It is below 2⁵³.
+pub fn uid(env: &Env) -> f64 {
+    // FNV-1a.
+    let bytes = env.tree_key().into_iter().flat_map(u32::to_le_bytes);
+    let hash =
+        bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    (hash >> 11) as f64
 }
 
 /// The selector that made this component.

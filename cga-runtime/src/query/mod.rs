@@ -4,6 +4,7 @@
 //! result equals the result of their mesh.
 
 mod choice;
+mod context;
 mod convert;
 mod count;
 mod edge_attr;
@@ -12,13 +13,16 @@ mod file;
 mod file_table;
 mod fit;
 mod form;
+mod geo_coord;
 pub mod get;
 mod material;
 mod measure;
 mod metadata;
+mod occlusion;
 mod print;
 mod tags;
 mod texture;
+mod tree_key;
 
 pub use crate::comp::select::Word;
 pub use crate::geometry::mesh::{TaggedComponents, TextureSpace};
@@ -26,6 +30,7 @@ pub use choice::{
     asset_approx_ratio, asset_approx_size, asset_best_ratio, asset_best_size, asset_fit_size, image_approx_ratio,
     image_best_ratio,
 };
+pub use context::{ContextComparison, QueryTarget, context_compare, context_count, minimum_distance};
 pub use convert::{ConvertWhat, System, convert, convert_array};
 pub use count::{
     geometry_groups, geometry_materials, geometry_n_edges, geometry_n_faces, geometry_n_holes, geometry_n_vertices,
@@ -44,6 +49,7 @@ pub use form::{
     geometry_is_closed_surface, geometry_is_concave, geometry_is_instanced, geometry_is_oriented, geometry_is_planar,
     geometry_is_rectangular,
 };
+pub use geo_coord::{GeoCoordinate, get_geo_coord};
 pub use material::{MaterialMode, MaterialSource, get_material, read_material};
 pub use measure::{
     AngleType, geometry_angle, geometry_area, geometry_boundary_length, geometry_height, geometry_volume,
@@ -52,12 +58,15 @@ pub use metadata::{
     asset_metadata_bool, asset_metadata_bools, asset_metadata_float, asset_metadata_floats, asset_metadata_text,
     asset_metadata_texts,
 };
+pub use occlusion::{inside, overlaps, touches};
 pub use print::print;
 pub use tags::{geometry_has_tags, geometry_has_tags_of, geometry_tags, geometry_tags_of};
 pub use texture::{
     geometry_du, geometry_dv, geometry_has_uv_set, geometry_has_uvs, geometry_u_max, geometry_u_min, geometry_v_max,
     geometry_v_min,
 };
+
+pub use tree_key::get_tree_key;
 
 /// The coordinate that `convert` returns.
 pub use crate::geometry::Axis;

@@ -357,7 +357,7 @@ const STEPS: [Step; 18] = [
     |env, shape| op::mirror(env, shape, true, false, false),
     |env, shape| op::reverse_normals(env, shape),
     |env, shape| op::extrude(env, shape, Absolute(1.0)),
-    |env, shape| op::offset(env, shape, -0.25, op::OffsetFaces::Inside),
+    |env, shape| op::offset_selected(env, shape, -0.25, op::OffsetFaces::Inside),
 ];
 
 #[test]

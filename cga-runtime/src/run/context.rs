@@ -8,6 +8,7 @@ use std::collections::VecDeque;
 use std::rc::Rc;
 
 use crate::fault::LimitKind;
+use crate::run::env::tree::RecordedShape;
 use crate::run::env::{Env, Trail};
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
@@ -78,6 +79,19 @@ impl<C> Cx<'_, C> {
     #[inline]
     pub fn leave(&mut self) -> Flow {
         self.env.trail.pop();
+        Flow::Continue(())
+    }
+
+    /// Enters a block, in grammars whose rules ask about closed shapes of the same initial shape.
+    #[inline]
+    pub fn enter_block(&mut self) {
+        self.env.enter_block();
+    }
+
+    /// Leaves a block.
+    #[inline]
+    pub fn leave_block(&mut self) -> Flow {
+        self.env.leave_block();
         Flow::Continue(())
     }
 
@@ -204,7 +218,7 @@ pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeR
 }
 
 /// Passes a leaf with its recorded shape, if any, to the sink.
-fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32, recorded: Option<u32>) -> Flow {
+fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32, recorded: RecordedShape) -> Flow {
     let leaves = env.leaf_count();
     let flow = filled(env, sink, shape, rule);
     // A shape of which nothing is left is not a leaf.

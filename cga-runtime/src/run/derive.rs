@@ -4,19 +4,17 @@ use std::cell::OnceCell;
 use std::io::Write as _;
 use std::sync::Arc;
 
-use glam::DAffine3;
-
 use crate::fault::Error;
-use crate::geometry::mesh::Mesh;
 use crate::run::building::Building;
 use crate::run::context::Cx;
 use crate::run::env::Env;
+use crate::run::queries::Queries;
 use crate::run::report::{Print, Report};
 use crate::run::rules::Rules;
-use crate::run::settings::{Repeats, Settings};
-use crate::run::shape_tree::ShapeTree;
-use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
+use crate::run::settings::Settings;
+use crate::run::sink::{Flow, Sink};
 use crate::run::start_rule::StartRule;
+use crate::run::surroundings::Neighbours;
 use crate::run::template::Templates;
 use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
@@ -25,9 +23,11 @@ use crate::value::Value;
 /// The start rule of a run: its number, its style and its name.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
-    rule: u32,
-    style: u32,
-    name: &'static str,
+    pub(super) rule: u32,
+    pub(super) style: u32,
+    pub(super) name: &'static str,
+    /// The queries of other shapes that the run can reach.
+    pub(crate) queries: Queries,
 }
 
 /// The state of a run that the next run of the session can reuse. No result depends on it.
@@ -77,6 +77,24 @@ impl RunOutcome {
     }
 }
 
+/// The reason why a derivation has no result.
+#[derive(Debug)]
+pub enum NoResult {
+    /// An error ended it.
+    Failed(Error),
+    /// The watch ended it.
+    Stopped,
+}
+
+impl From<NoResult> for RunOutcome {
+    fn from(reason: NoResult) -> Self {
+        match reason {
+            NoResult::Failed(error) => RunOutcome::failed(error),
+            NoResult::Stopped => RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None },
+        }
+    }
+}
+
 /// The names that a grammar has for its buildings.
 pub(crate) struct GrammarNames<'a> {
     pub(crate) grammar: &'static str,
@@ -84,18 +102,29 @@ pub(crate) struct GrammarNames<'a> {
     pub(crate) attribute: &'a dyn Fn(usize) -> &'static str,
 }
 
-/// Runs a grammar on a shape that was checked.
+/// A run that can be derived several times.
+pub(crate) struct Derivation<'a, R> {
+    pub(crate) rules: &'a R,
+    pub(crate) start: Start,
+    /// The initial shape, which was checked.
+    pub(crate) shape: &'a Shape,
+    pub(crate) settings: &'a Settings,
+}
+
+/// Runs a grammar on a shape, among shapes of other initial shapes.
 pub(crate) fn run<R: Rules>(
-    rules: &R,
-    start: Start,
-    shape: &Shape,
-    settings: &Settings,
+    run: &Derivation<'_, R>,
+    neighbours: Option<&Arc<Neighbours>>,
     kept: &mut Kept<R::Call>,
     names: &GrammarNames<'_>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
-    let Start { rule, style, .. } = start;
-    let mut env = env::<R>(settings, shape, start);
+    let Derivation { rules, start: Start { rule, style, .. }, shape, settings } = *run;
+    let around = match run.surroundings(neighbours.cloned()) {
+        Ok(around) => around,
+        Err(reason) => return reason.into(),
+    };
+    let mut env = run.env(around.clone());
     sink.begin();
     sink.begin_building(shape.name(), shape.seed_value());
     kept.begin();
@@ -123,7 +152,7 @@ pub(crate) fn run<R: Rules>(
         building.reports = outcome.report.reports.clone();
         let is_complete = outcome.error.is_none() && !outcome.report.stopped;
         if keeps_tree && is_complete {
-            building.tree = shape_tree(rules, start, shape, settings, &outcome.report).map(Arc::new);
+            building.tree = run.shape_tree(&outcome.report, around.clone()).map(Arc::new);
         }
         building
     };
@@ -133,16 +162,8 @@ pub(crate) fn run<R: Rules>(
     outcome
 }
 
-/// The state of a run before its first rule.
-fn env<R: Rules>(settings: &Settings, shape: &Shape, start: Start) -> Env {
-    let mut env = Env::new(settings, R::NAMES, shape, start.name);
-    env.tags_edges = R::TAGS;
-    env.leaf_tables.names = R::LEAVES.into();
-    env
-}
-
 /// Calls the start rule, and then the calls that wait. A break without an error comes from the sink or the watch.
-fn derive<R: Rules>(cx: &mut Cx<'_, R::Call>, values: &R::Values, rule: u32, shape: &Shape) -> Flow {
+pub(super) fn derive<R: Rules>(cx: &mut Cx<'_, R::Call>, values: &R::Values, rule: u32, shape: &Shape) -> Flow {
     if cx.env.ended() {
         return Flow::Break(());
     }
@@ -155,48 +176,6 @@ fn derive<R: Rules>(cx: &mut Cx<'_, R::Call>, values: &R::Values, rule: u32, sha
         R::resume(values, cx, &base.shape(), next.call)?;
     }
     Flow::Continue(())
-}
-
-/// A sink for runs without output.
-struct NoOutput;
-
-impl Sink for NoOutput {
-    fn filled(&mut self, _: &Filled<'_>) -> Flow {
-        Flow::Continue(())
-    }
-
-    fn quad(&mut self, _: &Leaf<'_>, _: &Quad) -> Flow {
-        Flow::Continue(())
-    }
-
-    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
-        Flow::Continue(())
-    }
-
-    fn mesh(&mut self, _: &Leaf<'_>, _: &Arc<Mesh>, _: &DAffine3) -> Flow {
-        Flow::Continue(())
-    }
-}
-
-/// The tree of the shapes of a run with that report. The rules run again, without templates, which have leaves alone. `None` if this run
-/// ends early or differs.
-fn shape_tree<R: Rules>(
-    rules: &R,
-    start: Start,
-    shape: &Shape,
-    settings: &Settings,
-    report: &Report,
-) -> Option<ShapeTree> {
-    let settings = Settings { repeats: Repeats::Direct, ..settings.clone() };
-    let mut env = env::<R>(&settings, shape, start);
-    env.record_tree();
-    let (mut sink, mut templates) = (NoOutput, Templates::default());
-    let mut cx = Cx::new(&mut env, &mut sink, &mut templates);
-    let values = rules.values(cx.env, shape, start.style);
-    let flow = derive::<R>(&mut cx, &values, start.rule, shape);
-    let is_complete = flow.is_continue() && env.spend(0).is_continue();
-    let is_same = (env.shape_count(), env.leaf_count()) == (report.shapes, report.leaves);
-    (is_complete && is_same).then(|| env.take_tree())
 }
 
 /// The result of a run that has ended: `Break` if the sink, the watch or an error ended it.
@@ -244,15 +223,25 @@ pub(crate) fn echo(prints: &[Print]) {
 
 /// The start rule with a name, or the default one. `Default$Lot` means `Lot`.
 pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
-    find_start(name, R::STARTS, R::START_RULES, R::START_STYLES)
+    let rows = StartRows { rules: R::START_RULES, styles: R::START_STYLES, queries: R::START_QUERIES };
+    find_start(name, R::STARTS, &rows)
 }
 
-/// The start rule with a name among `starts`, or the first one. Rules and styles are in the order of `starts`.
-fn find_start(name: Option<&str>, starts: &[StartRule], rules: &[u32], styles: &[u32]) -> Result<Start, Error> {
+/// The rules, styles and queries of start rules, in their order.
+struct StartRows {
+    rules: &'static [u32],
+    styles: &'static [u32],
+    /// Empty if there are no queries.
+    queries: &'static [u8],
+}
+
+/// The start rule with a name among `starts`, or the first one.
+fn find_start(name: Option<&str>, starts: &[StartRule], rows: &StartRows) -> Result<Start, Error> {
     let at = name.map_or(Ok(0), |name| start_index(name, starts))?;
     let start = || {
-        let (rule, style) = (*rules.get(at)?, *styles.get(at)?);
-        Some(Start { rule, style, name: starts.get(at)?.name })
+        let (rule, style) = (*rows.rules.get(at)?, *rows.styles.get(at)?);
+        let queries = Queries::from_bits(rows.queries.get(at).copied().unwrap_or_default());
+        Some(Start { rule, style, name: starts.get(at)?.name, queries })
     };
     start().ok_or_else(|| unknown_start("", starts))
 }

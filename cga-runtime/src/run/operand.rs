@@ -70,7 +70,7 @@ pub fn operand<G, C>(
     let most = cx.env.settings.limits.waiting;
     let mut leaves = OperandLeaves { list: Vec::new(), most, is_full: false };
     let (filled, others) = (cx.env.filled, cx.env.leaves);
-    let tree = cx.env.tree.take();
+    let (tree, before) = (cx.env.tree.take(), cx.env.begin_operand());
     let mut inner = Cx {
         env: cx.env,
         sink: &mut leaves,
@@ -84,6 +84,7 @@ pub fn operand<G, C>(
     let flow = start(&mut inner);
     let flow = if flow.is_continue() { inner.run_waiting(g, resume) } else { flow };
     cx.env.tree = tree;
+    cx.env.end_operand(before);
     // A full list must not look like a sink that has enough.
     if leaves.is_full && !cx.env.ended() {
         return cx.env.limit(LimitKind::Waiting, most);

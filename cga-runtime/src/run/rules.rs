@@ -36,6 +36,10 @@ pub trait Rules: Compiled {
     #[doc(hidden)]
     const START_STYLES: &'static [u32];
 
+    /// The queries of other shapes that a run from each start rule can reach, as a set of bits; empty if there are none.
+    #[doc(hidden)]
+    const START_QUERIES: &'static [u8] = &[];
+
     /// True if the rules read or set tags. Otherwise operations do not tag the edges that they make.
     #[doc(hidden)]
     const TAGS: bool;

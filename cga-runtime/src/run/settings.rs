@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::asset::Assets;
+use crate::run::coordinate_system::CoordinateSystem;
 use crate::run::watch::Watch;
 
 /// Limits of one run. A run that reaches a limit ends with [`Error::Limit`](crate::fault::Error::Limit), unless
@@ -76,7 +77,7 @@ impl Default for Limits {
     }
 }
 
-/// The settings of a run. With the feature `serde` they are data, except assets and the watch, which belong to the program.
+/// The settings of a run. With the feature `serde` they are data, except assets, the coordinate system and the watch, which belong to the program.
 #[derive(Clone, Debug, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
@@ -99,6 +100,9 @@ pub struct Settings {
     /// A watch that is stopped, or a deadline that passes, ends it: then the model is complete, without a tree. The tree takes about
     /// 200 bytes for each derived shape, beyond [`Limits::bytes`].
     pub tree: bool,
+    /// The place of the world on Earth, for `getGeoCoord` and `scope.elevation`.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub coordinates: Option<Arc<dyn CoordinateSystem>>,
     /// Follows the progress of runs and can end them early.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub watch: Option<Watch>,

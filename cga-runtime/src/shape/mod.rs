@@ -5,6 +5,7 @@
 
 pub(crate) mod axes;
 pub(crate) mod base;
+pub(crate) mod body;
 pub(crate) mod direction;
 pub(crate) mod edge_attributes;
 pub(crate) mod filled_scope;
@@ -18,6 +19,7 @@ mod placed;
 mod point_origins;
 mod sampled_outline;
 pub mod scope;
+pub(crate) mod scope_distance;
 pub(crate) mod seed;
 pub(crate) mod slim;
 pub(crate) mod state;

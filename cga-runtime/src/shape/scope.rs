@@ -34,6 +34,12 @@ impl Scope {
         self.origin + self.axes * (self.size * 0.5)
     }
 
+    /// The eight corners, in the world; the corner (x, y, z) has the index x + 2y + 4z.
+    pub(crate) fn corners(&self) -> [DVec3; 8] {
+        let far = |at: usize, axis: usize| if at & (1 << axis) == 0 { 0.0 } else { self.size[axis] };
+        std::array::from_fn(|at| self.origin + self.axes * DVec3::new(far(at, 0), far(at, 1), far(at, 2)))
+    }
+
     /// The largest size of a scope: squares of lengths must be finite. The macro relies on it (`lower/extent.rs`).
     pub(crate) const MOST_SIZE: f64 = 1e149;
 

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::{Shape, ShapeRef};
+use crate::shape::body::Body;
 use crate::value::Value;
 
 /// A shape, slim or whole, for the expressions of rules.
@@ -27,6 +28,9 @@ pub trait View {
 
     /// The value that rules set for an attribute of the grammar on this shape, if any.
     fn own_attribute(&self, number: u32) -> Option<&Value>;
+
+    /// The geometry in its scope.
+    fn body(&self) -> Body;
 }
 
 impl View for Shape {
@@ -58,6 +62,10 @@ impl View for Shape {
         let state = self.state.get()?;
         let at = state.attributes.binary_search_by_key(&number, |(id, _)| *id).ok()?;
         Some(&state.attributes[at].1)
+    }
+
+    fn body(&self) -> Body {
+        Body::from(self)
     }
 }
 
@@ -98,5 +106,10 @@ impl View for &ShapeRef<'_> {
     #[inline]
     fn own_attribute(&self, number: u32) -> Option<&Value> {
         self.base.shape.own_attribute(number)
+    }
+
+    #[cold]
+    fn body(&self) -> Body {
+        Body::from(*self)
     }
 }

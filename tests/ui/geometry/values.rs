@@ -15,6 +15,8 @@ cga! {
     Hut --> primitiveCube() tileUV(2, 1, 1) A.
     @Deny(unknown_tag)
     Barn --> extrude(9) comp(f) { isTagged("extrude.sides") : A. }
+    @Deny(unknown_label)
+    Fort --> label("gate") print(contextCount(intra, "gates")) A.
 }
 
 cga! {

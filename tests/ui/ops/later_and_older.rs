@@ -4,12 +4,12 @@ use cga::cga;
 
 cga! {
     pub grammar Later;
-    Lot --> extrude(12) print(getGeoCoord(lat)) Tower.
+    Lot --> extrude(12) print(sel("front")) Tower.
 }
 
 cga! {
-    pub grammar LaterText = "
-        Lot --> extrude(12) print(getGeoCoord(lat)) Tower.";
+    pub grammar LaterText = r#"
+        Lot --> extrude(12) print(sel("front")) Tower."#;
 }
 
 cga! {

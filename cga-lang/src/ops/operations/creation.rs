@@ -159,6 +159,8 @@ const fn undirected(call: Str, params: Params) -> Operation {
     old(envelope(call, params.split_at(1).1, VOLUME), "give the up direction: `envelope(normal, …)`")
 }
 
+const OFFSET: &str = "moves the outline of each face in or out, with faces for the difference";
+
 pub(super) static ROWS: &[Operation] = &[
     extrudes(with(
         Effect::Extrudes,
@@ -252,12 +254,9 @@ pub(super) static ROWS: &[Operation] = &[
         &["taper.bottom", "taper.side"],
         rigid(keeps_uvs(op("taper", "taper", &[float("height")], "makes a pyramid over the first face"))),
     ),
-    rigid(keeps_uvs(op(
-        "offset",
-        "offset",
-        &[float("distance"), or(KEEP_FACES, Default::Word("all"))],
-        "moves the outline of each face in or out, with faces for the difference",
-    ))),
+    // Only the form with a selector makes an occluder (*offset operation*).
+    rigid(keeps_uvs(op("offset", "offset", &[float("distance")], OFFSET))),
+    rigid(keeps_uvs(op("offset", "offset_selected", &[float("distance"), KEEP_FACES], OFFSET))),
     upright(with(
         Effect::Flattens,
         op("footprint", "footprint", &[], "replaces the geometry by its outline seen from above"),

@@ -42,9 +42,9 @@ pub(super) static ROWS: &[Operation] = &[
         &[TARGET],
         "gives the attributes of the material their defaults again",
     ))),
-    // Queries of other shapes will find the copy.
+    // Queries of other shapes find the copy.
     using(
-        Uses::WHOLE.and(Uses::SAYS),
+        Uses::LABELS,
         says(op(
             "label",
             "label",

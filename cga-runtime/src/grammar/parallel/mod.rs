@@ -12,7 +12,7 @@
 //!
 //! Threads take stretches in order, so a program that streams its sinks gets them almost in order.
 
-mod order;
+pub(crate) mod order;
 mod stretch;
 
 use std::ops::Range;
@@ -28,7 +28,7 @@ use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::grammar::session::DynSession;
 use crate::output::model::Model;
-use crate::run::derive;
+use crate::run::derive::{self, RunOutcome};
 use crate::run::report::Report;
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
@@ -45,29 +45,45 @@ pub fn run_all<G: Grammar + Sync + ?Sized, S: Sink + Send>(
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
 ) -> Result<Batches<S>, RunError> {
-    run_by(&|settings| grammar.session(settings), shapes, settings, sink)
+    let open = |settings: &Settings| grammar.session(settings);
+    run_by(&Runs { open: &open, count: shapes.len(), run: &alone(shapes) }, settings, sink)
 }
 
 /// Opens a session on a thread.
-pub(super) type Open<'a, 'g> = &'a (dyn Fn(&Settings) -> Result<Worker<'g>, Error> + Sync);
+pub(crate) type Open<'a, 'g> = &'a (dyn Fn(&Settings) -> Result<Worker<'g>, Error> + Sync);
 
-/// [`run_all`] with a function that opens sessions.
-pub(super) fn run_by<S: Sink + Send>(
-    open: Open<'_, '_>,
-    shapes: &[Shape],
+/// Runs the shape with an index in a session.
+pub(crate) type RunAt<'a> = &'a (dyn Fn(&mut Worker<'_>, usize, &mut dyn Sink) -> RunOutcome + Sync);
+
+/// Runs on many shapes.
+pub(crate) struct Runs<'a, 'g> {
+    pub(crate) open: Open<'a, 'g>,
+    /// The number of shapes.
+    pub(crate) count: usize,
+    pub(crate) run: RunAt<'a>,
+}
+
+/// Runs the shapes of a list, each without its neighbours.
+pub(crate) fn alone(shapes: &[Shape]) -> impl Fn(&mut Worker<'_>, usize, &mut dyn Sink) -> RunOutcome + Sync {
+    |session, at, sink| session.outcome(&shapes[at], None, sink)
+}
+
+/// [`run_all`] for any runs.
+pub(crate) fn run_by<S: Sink + Send>(
+    runs: &Runs<'_, '_>,
     settings: &Settings,
     sink: impl Fn(&Stretch) -> S + Sync,
 ) -> Result<Batches<S>, RunError> {
     let job = |session: &mut Worker<'_>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
-        let run = |sink: &mut S, shape: &Shape| session.outcome(shape, sink);
-        let mut done = derive_stretch(shapes, stretch, ended, sink(stretch), run);
+        let run = |sink: &mut S, at: usize| (runs.run)(session, at, sink);
+        let mut done = derive_stretch(stretch, ended, sink(stretch), run);
         let failed = matches!(done.end, Some(EarlyEnd::Failed(..)));
         if !failed && !ended() && done.output.finish().is_break() {
             done.end.get_or_insert(EarlyEnd::Stopped);
         }
         done
     };
-    work(open, shapes, settings, job, |batches, shapes, sink| batches.push(Batch { shapes, sink }))
+    work(runs, settings, job, |batches, shapes, sink| batches.push(Batch { shapes, sink }))
 }
 
 /// The old name of [`run_all`].
@@ -94,19 +110,16 @@ pub fn generate_all<G: Grammar + Sync + ?Sized>(
     shapes: &[Shape],
     settings: &Settings,
 ) -> Result<Batches<Model>, RunError> {
-    generate_by(&|settings| grammar.session(settings), shapes, settings)
+    let open = |settings: &Settings| grammar.session(settings);
+    generate_by(&Runs { open: &open, count: shapes.len(), run: &alone(shapes) }, settings)
 }
 
-/// [`generate_all`] with a function that opens sessions.
-pub(super) fn generate_by(
-    open: Open<'_, '_>,
-    shapes: &[Shape],
-    settings: &Settings,
-) -> Result<Batches<Model>, RunError> {
+/// [`generate_all`] for any runs.
+pub(crate) fn generate_by(runs: &Runs<'_, '_>, settings: &Settings) -> Result<Batches<Model>, RunError> {
     let job = |session: &mut Worker<'_>, stretch: &Stretch, ended: &dyn Fn() -> bool| {
-        derive_stretch(shapes, stretch, ended, Vec::new(), |models, shape| {
+        derive_stretch(stretch, ended, Vec::new(), |models, at| {
             let mut model = Model::new();
-            let outcome = session.outcome(shape, &mut model);
+            let outcome = (runs.run)(session, at, &mut model);
             models.push(model.with_report(outcome.report.clone()).with_assets(settings.assets.clone()));
             outcome
         })
@@ -114,25 +127,24 @@ pub(super) fn generate_by(
     let put = |batches: &mut Vec<Batch<Model>>, shapes: Range<usize>, models: Vec<Model>| {
         batches.extend(shapes.zip(models).map(|(at, model)| Batch { shapes: at..at + 1, sink: model }));
     };
-    work(open, shapes, settings, job, put)
+    work(runs, settings, job, put)
 }
 
 /// A session that derives stretches on one thread.
-pub(super) type Worker<'g> = Box<dyn DynSession + 'g>;
+pub(crate) type Worker<'g> = Box<dyn DynSession + 'g>;
 
 /// Derives all stretches; `put` adds the output of each to the batches, in order.
 fn work<S: Send, T: Send>(
-    open: Open<'_, '_>,
-    shapes: &[Shape],
+    runs: &Runs<'_, '_>,
     settings: &Settings,
     job: impl Fn(&mut Worker<'_>, &Stretch, &dyn Fn() -> bool) -> Done<T> + Sync,
     put: impl Fn(&mut Vec<Batch<S>>, Range<usize>, T) + Sync,
 ) -> Result<Batches<S>, RunError> {
     // Prints are echoed later, in the order of the shapes.
     let quiet = Settings { echo: false, ..settings.clone() };
-    let first = open(&quiet)?;
-    let again = || open(&quiet).ok();
-    let count = shapes.len();
+    let first = (runs.open)(&quiet)?;
+    let again = || (runs.open)(&quiet).ok();
+    let count = runs.count;
     let mut batches = Batches { batches: Vec::new(), report: Report::default() };
     let mut failed = None;
     let job = |worker: &mut Worker<'_>, number: usize, ended: &dyn Fn() -> bool| {

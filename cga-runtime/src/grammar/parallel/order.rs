@@ -19,7 +19,7 @@ struct Ready<T, F> {
 /// everything. The second result of a job is true if the job ends everything itself: the results of later jobs are
 /// then not taken. `first` is the state of the worker on the calling thread, and `again` makes the states of other
 /// workers. On one thread, the jobs are done in order.
-pub(super) fn in_order<W, T: Send>(
+pub(crate) fn in_order<W, T: Send>(
     count: usize,
     mut first: W,
     again: impl Fn() -> Option<W> + Sync,

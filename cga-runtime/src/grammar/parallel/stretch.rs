@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::fault::Error;
 use crate::run::derive::RunOutcome;
 use crate::run::report::Report;
-use crate::shape::Shape;
 
 /// The largest number of stretches: enough for any number of threads, and few enough for one sink each.
 const MOST: usize = 256;
@@ -64,13 +63,13 @@ pub(super) enum EarlyEnd {
     Failed(usize, Error),
 }
 
-/// Runs the shapes of a stretch one after the other, until an earlier stretch ends everything. `run` adds to the output.
+/// Runs the shapes of a stretch one after the other, until an earlier stretch ends everything. `run` gets the index of a shape and adds to
+/// the output.
 pub(super) fn derive_stretch<T>(
-    shapes: &[Shape],
     stretch: &Stretch,
     ended: &dyn Fn() -> bool,
     output: T,
-    mut run: impl FnMut(&mut T, &Shape) -> RunOutcome,
+    mut run: impl FnMut(&mut T, usize) -> RunOutcome,
 ) -> Done<T> {
     let start = stretch.shapes.start;
     let mut done = Done { output, shapes: start..start, reports: Vec::new(), counts: Report::default(), end: None };
@@ -79,7 +78,7 @@ pub(super) fn derive_stretch<T>(
             break;
         }
         done.shapes.end = at + 1;
-        let RunOutcome { report, error } = run(&mut done.output, &shapes[at]);
+        let RunOutcome { report, error } = run(&mut done.output, at);
         let stopped = report.stopped;
         if report.is_only_counts() {
             done.counts.shapes = done.counts.shapes.saturating_add(report.shapes);

@@ -4,11 +4,12 @@ use crate::fault::FaultKind;
 use crate::geometry::offset::OffsetFaces;
 use crate::geometry::offset::{OffsetError, offset as offset_mesh};
 use crate::run::env::Env;
+use crate::shape::body::Body;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Geometry, Shape};
 
-/// `offset(distance, all | inside | border)`: replaces each face by the inside of its outline, moved inwards (a
+/// `offset(distance)`: replaces each face by the inside of its outline, moved inwards (a
 /// negative distance) or outwards with mitred corners, and by border faces for the difference, one for each edge
 /// (*offset operation*). The scope is fitted to the result; its axes and the pivot stay. If `inside` leaves nothing,
 /// because the distance is too large, the geometry stays (*CGA changelog 2022.1*).
@@ -20,7 +21,17 @@ use crate::shape::{Geometry, Shape};
 ///
 /// A face that cannot be moved stays, with a fault that names it: a face without a normal, one that touches itself,
 /// one with more than 5000 corners. The time grows with the square of a face's corners, to a second at most for 5000.
-pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces) {
+pub fn offset(env: &mut Env, shape: &mut Shape, distance: f64) {
+    apply(env, shape, distance, OffsetFaces::All);
+}
+
+/// `offset(distance, all | inside | border)`: [`offset`] that keeps some faces. The shape before it occludes (*offset operation*).
+pub fn offset_selected(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces) {
+    env.collect_divided(|| Body::from(&*shape));
+    apply(env, shape, distance, keep);
+}
+
+fn apply(env: &mut Env, shape: &mut Shape, distance: f64, keep: OffsetFaces) {
     let distance = env.finite(distance, "the distance of `offset`");
     if distance == 0.0 || !shape.geometry.has_surface() {
         return;

@@ -2,8 +2,6 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
-
 use super::Env;
 use crate::geometry::mesh::Bounds;
 use crate::run::sink::Flow;
@@ -45,9 +43,8 @@ impl Env {
     /// Keeps the box of a scope whose contents trim planes may cut, while a template is recorded.
     pub(crate) fn reach(&mut self, scope: &Scope) {
         if self.checkpoint.measures_room() {
-            let far = |at: usize, axis: usize| if at & (1 << axis) == 0 { 0.0 } else { scope.size[axis] };
-            let corner = |at| scope.origin + scope.axes * DVec3::new(far(at, 0), far(at, 1), far(at, 2));
-            self.reach = Some(self.reach.unwrap_or(Bounds::EMPTY).union(Bounds::of((0..8).map(corner))));
+            let bounds = Bounds::of(scope.corners());
+            self.reach = Some(self.reach.unwrap_or(Bounds::EMPTY).union(bounds));
         }
     }
 }

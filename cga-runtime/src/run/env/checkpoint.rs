@@ -19,8 +19,10 @@ pub(crate) struct Checkpoint {
     /// The highest count of shapes requested during the recording of a template. The checkpoint is then 0, so that
     /// every request comes here.
     recorded: Option<u64>,
-    /// The number of shapes at the last question to the watch, in a run that records the tree of shapes.
+    /// The number of shapes at the last question to the watch, in a run that stops at each shape.
     asked: u64,
+    /// True in a derivation whose shapes are not progress.
+    is_silent: bool,
     told: Progress,
 }
 
@@ -55,13 +57,13 @@ impl Env {
             *most = wanted.max(*most);
             return ControlFlow::Continue(());
         }
-        // In a run that records its tree, the checkpoint stays.
+        // In a run that records its tree or keys, the checkpoint stays.
         if self.stops_at_each_shape() {
             if wanted < self.checkpoint.asked.saturating_add(STRIDE) {
                 return if self.ended() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
             }
             self.checkpoint.asked = wanted;
-            return self.ask();
+            return if self.checkpoint.is_silent { self.ask() } else { self.ask_watch() };
         }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
         self.ask_watch()
@@ -84,9 +86,14 @@ impl Env {
     }
 
     /// Returns true while the checkpoint is 0, so that each shape passes it: while room is measured, and in a run that records the tree of
-    /// shapes. Such shapes are not progress.
+    /// shapes or their keys.
     fn stops_at_each_shape(&self) -> bool {
         self.checkpoint.shapes == 0
+    }
+
+    /// Tells the watch nothing of this derivation: its shapes are not progress.
+    pub(crate) fn tell_no_progress(&mut self) {
+        self.checkpoint.is_silent = true;
     }
 
     /// Ends the measurement. Returns the highest count of shapes requested.
@@ -122,7 +129,7 @@ impl Env {
     /// Reports the progress to the watch, and ends the run if the watch is stopped.
     #[cold]
     fn ask_watch(&mut self) -> Flow {
-        if !self.ended() && !self.stops_at_each_shape() {
+        if !self.ended() && !self.measures_room() && !self.checkpoint.is_silent {
             self.tell_watch(false);
         }
         if work::ask() {

@@ -11,8 +11,9 @@ mod memory;
 pub(crate) mod mesh_counts;
 mod recompose;
 pub(crate) mod records;
+pub(crate) mod scene;
 mod trail;
-mod tree;
+pub(crate) mod tree;
 mod uv_set;
 
 use std::ops::ControlFlow;
@@ -38,6 +39,7 @@ use kept::KeptResults;
 use mesh_counts::MeshCounts;
 use recompose::Recompositions;
 use records::TapedReport;
+use scene::SceneState;
 pub(crate) use trail::Trail;
 
 /// A share of the initial shape's largest extent below which shapes are not split further, and an upper limit of that
@@ -93,6 +95,8 @@ pub struct Env {
     pub(crate) prints: Prints,
     /// The tree of shapes, while it is recorded. Operands are not recorded.
     pub(crate) tree: Option<Box<TreeBuilder>>,
+    /// Other shapes, for queries.
+    pub(crate) scene: SceneState,
     /// The operands whose shapes remember their connectivity.
     pub(crate) recompositions: Recompositions,
     /// What rules ask for again and again.

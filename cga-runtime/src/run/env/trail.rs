@@ -32,6 +32,10 @@ impl Env {
         if let Some(tree) = &mut self.tree {
             tree.wait(self.trail.len());
         }
+        let level = self.trail.len();
+        if let Some(keys) = self.keys() {
+            keys.wait(level);
+        }
         // A deferred block enters no rule.
         if let (Some(before), []) = (&self.before, self.trail.as_slice()) {
             return before.clone();
@@ -45,6 +49,9 @@ impl Env {
         self.trail.clear();
         if let Some(tree) = &mut self.tree {
             tree.resume();
+        }
+        if let Some(keys) = self.keys() {
+            keys.resume();
         }
     }
 

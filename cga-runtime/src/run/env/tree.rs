@@ -1,9 +1,19 @@
-//! The recording of the tree of shapes. The checkpoint of such a run is 0, so every shape leaves the fast path.
+//! The recording of the tree of shapes and of keys. The checkpoint of such a run is 0, so every shape leaves the fast path.
 
 use super::Env;
 use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::Flow;
+use crate::run::tree_keys::TreeNode;
 use crate::shape::ShapeRef;
+
+/// A shape that was entered or made, as far as the run records shapes.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct RecordedShape {
+    /// Its number in the tree of shapes.
+    in_tree: Option<u32>,
+    /// Its place among the keys.
+    node: TreeNode,
+}
 
 impl Env {
     /// Begins to record the tree of shapes.
@@ -22,6 +32,10 @@ impl Env {
     #[inline(never)]
     pub(crate) fn enter(&mut self, shape: &ShapeRef<'_>) -> Flow {
         self.make_room(0)?;
+        let level = self.trail.len();
+        if let Some(keys) = self.keys() {
+            keys.enter(level);
+        }
         let rule = self.trail.last().map_or("", |&rule| self.label(self.rule_name(rule)));
         if let Some(tree) = &mut self.tree {
             tree.enter(self.trail.len(), rule, shape.scope());
@@ -38,20 +52,23 @@ impl Env {
     }
 
     /// The recorded shape of the current rule.
-    pub(crate) fn recorded_shape(&self) -> Option<u32> {
-        self.tree.as_ref()?.current(self.trail.len())
+    pub(crate) fn recorded_shape(&self) -> RecordedShape {
+        let in_tree = self.tree.as_ref().and_then(|tree| tree.current(self.trail.len()));
+        RecordedShape { in_tree, node: self.current_node() }
     }
 
     /// Records the shape of a leaf symbol.
-    pub(crate) fn record_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> Option<u32> {
-        let name = self.leaf_name(rule);
-        Some(self.tree.as_mut()?.symbol(self.trail.len(), name, shape.scope()))
+    pub(crate) fn record_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> RecordedShape {
+        let (name, level) = (self.leaf_name(rule), self.trail.len());
+        let in_tree = self.tree.as_mut().map(|tree| tree.symbol(level, name, shape.scope()));
+        RecordedShape { in_tree, node: self.keys().map_or_else(TreeNode::default, |keys| keys.symbol(level)) }
     }
 
     /// Records that a shape was a leaf.
-    pub(crate) fn record_leaf(&mut self, recorded: Option<u32>, shape: &ShapeRef<'_>, rule: u32) {
+    pub(crate) fn record_leaf(&mut self, recorded: RecordedShape, shape: &ShapeRef<'_>, rule: u32) {
+        self.collect_leaf(shape, recorded.node);
         let name = self.leaf_name(rule);
-        if let (Some(tree), Some(recorded)) = (&mut self.tree, recorded) {
+        if let (Some(tree), Some(recorded)) = (&mut self.tree, recorded.in_tree) {
             tree.set_leaf(recorded, name, shape.scope());
         }
     }

@@ -196,7 +196,8 @@ impl<'a> ShapeNode<'a> {
     /// shape is `0;`, the key of the third child of its first child `0;0;2;`. It takes time in proportion to the depth.
     ///
     /// A key is unique in the tree of one building. It may change with the seed: where chance or attributes decide how many children a rule
-    /// makes, a shape gets another key. Rules cannot read it yet.
+    /// makes, a shape gets another key. Rules read it with `getTreeKey`; the two differ only where rules nest so deeply that a block of
+    /// several successors waits.
     pub fn key(&self) -> String {
         let mut numbers = vec![self.number()];
         let mut shape = *self;

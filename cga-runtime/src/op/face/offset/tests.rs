@@ -25,7 +25,7 @@ fn the_scope_fits_and_the_pivot_stays() {
     ] {
         let before = notched();
         let mut shape = before.clone();
-        offset(env, &mut shape, distance, keep);
+        offset_selected(env, &mut shape, distance, keep);
         assert!((shape.scope.size - DVec3::new(size[0], 0.0, size[1])).length() < 1e-12);
         let middle = |shape: &Shape| shape.scope.origin + shape.scope.axes * shape.scope.size * 0.5;
         assert!((middle(&shape) - middle(&before)).length() < 1e-12);
@@ -49,8 +49,8 @@ fn rectangles_do_as_their_mesh_does() {
     for quad in quads {
         for distance in [-2.5, -2.0, -1.0, -0.25, 0.0, 0.25, 3.0] {
             let (mut plain, mut other) = (quad.clone(), meshed(quad.clone()));
-            offset(env, &mut plain, distance, OffsetFaces::Inside);
-            offset(env, &mut other, distance, OffsetFaces::Inside);
+            offset_selected(env, &mut plain, distance, OffsetFaces::Inside);
+            offset_selected(env, &mut other, distance, OffsetFaces::Inside);
             assert!((plain.scope.size - other.scope.size).length() < 1e-12, "{distance}");
             assert!((plain.scope.origin - other.scope.origin).length() < 1e-12);
             assert!(matches!(plain.geometry, Geometry::Rect(..)));
@@ -68,7 +68,7 @@ fn nothing_inside_leaves_the_geometry_and_all_its_strips() {
     let env = &mut Env::for_tests();
     for keep in [OffsetFaces::Inside, OffsetFaces::Border, OffsetFaces::All] {
         let mut shape = notched();
-        offset(env, &mut shape, -3.0, keep);
+        offset_selected(env, &mut shape, -3.0, keep);
         let faces = if keep == OffsetFaces::Inside { 1 } else { 6 };
         assert_eq!(shape.to_mesh().face_count(), faces, "{keep:?}");
         assert!((shape.to_mesh().area() - 64.0).abs() < 1e-9);
@@ -82,7 +82,7 @@ fn what_cannot_be_moved_stays() {
     let same = |a: &Shape, b: &Shape| a.scope == b.scope && a.to_mesh().corners() == b.to_mesh().corners();
     let mut run = |shape: &Shape, distance: f64, keep: OffsetFaces| {
         let mut moved = shape.clone();
-        offset(env, &mut moved, distance, keep);
+        offset_selected(env, &mut moved, distance, keep);
         assert!(same(&moved, shape));
         faults(env).join("; ")
     };

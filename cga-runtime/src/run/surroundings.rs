@@ -1,0 +1,127 @@
+//! The shapes that the queries of a run ask about.
+
+use std::sync::Arc;
+
+use super::ghost::{self, ContextComparison, Ghost, LabelIndex, LabelledShape};
+use crate::geometry::relation::Relation;
+use crate::shape::body::Body;
+use crate::shape::scope::Scope;
+
+/// The initial shapes that a query asks about (*occlusion queries*).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum QueryTarget {
+    /// The initial shape of the run.
+    Intra,
+    /// Other initial shapes of the scene.
+    Inter,
+    /// Both.
+    All,
+}
+
+/// The shapes around the shapes of a run. Queries of shapes that are not known have their defaults.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Surroundings {
+    /// The shapes of a first derivation of the same initial shape.
+    pub(crate) own: Option<Arc<Ghost>>,
+    /// The shapes of other initial shapes.
+    pub(crate) neighbours: Option<Arc<Neighbours>>,
+}
+
+/// The shapes of other initial shapes.
+#[derive(Debug, Default)]
+pub struct Neighbours {
+    /// The ghosts of those near enough for occlusion queries, in the order of the scene.
+    pub(crate) occlusion: Vec<Arc<Ghost>>,
+    /// The labelled shapes of those near enough for context queries.
+    pub(crate) context: LabelledNeighbours,
+}
+
+/// The labelled shapes of other initial shapes.
+#[derive(Debug)]
+pub(crate) enum LabelledNeighbours {
+    /// The shapes of some initial shapes.
+    Some(Vec<Arc<Ghost>>),
+    /// The shapes of all initial shapes of a scene without the one with this number.
+    AllBut(Arc<LabelIndex>, usize),
+}
+
+impl Default for LabelledNeighbours {
+    fn default() -> Self {
+        LabelledNeighbours::Some(Vec::new())
+    }
+}
+
+impl LabelledNeighbours {
+    fn count(&self, label: &str) -> usize {
+        match self {
+            LabelledNeighbours::Some(ghosts) => ghosts.iter().map(|ghost| ghost.labels().count(label, None)).sum(),
+            LabelledNeighbours::AllBut(index, own) => index.count(label, Some(*own)),
+        }
+    }
+
+    fn rank(&self, label: &str, shape: &LabelledShape, by: ContextComparison) -> usize {
+        match self {
+            LabelledNeighbours::Some(ghosts) => {
+                ghosts.iter().map(|ghost| ghost.labels().rank(label, None, shape, by)).sum()
+            }
+            LabelledNeighbours::AllBut(index, own) => index.rank(label, Some(*own), shape, by),
+        }
+    }
+
+    fn least_distance(&self, label: &str, scope: &Scope) -> f64 {
+        match self {
+            LabelledNeighbours::Some(ghosts) => ghosts
+                .iter()
+                .map(|ghost| ghost.labels().least_distance(label, None, scope))
+                .fold(f64::INFINITY, f64::min),
+            LabelledNeighbours::AllBut(index, own) => index.least_distance(label, Some(*own), scope),
+        }
+    }
+}
+
+impl Surroundings {
+    /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `place` is the place of the query
+    /// in the tree of its shapes.
+    pub(crate) fn relation(
+        &self,
+        target: QueryTarget,
+        shape: &Body,
+        wanted: Relation,
+        label: Option<&str>,
+        place: &[u32],
+    ) -> Relation {
+        let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
+        ghost::body::relation(shape, &mut |query| {
+            let own = self.own(target).map(|ghost| ghost.occluders().relation(query, wanted, label, Some(place)));
+            let others = neighbours.iter().map(|ghost| ghost.occluders().relation(query, wanted, label, None));
+            own.into_iter().chain(others).fold(Relation::NONE, Relation::or)
+        })
+    }
+
+    /// The distance from a scope to the nearest scope with a label, in metres; infinite without one.
+    pub(crate) fn least_distance(&self, target: QueryTarget, label: &str, scope: &Scope) -> f64 {
+        let own = self.own(target).map(|ghost| ghost.labels().least_distance(label, None, scope));
+        let others = self.neighbours(target).map(|neighbours| neighbours.context.least_distance(label, scope));
+        own.into_iter().chain(others).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The number of shapes with a label.
+    pub(crate) fn count(&self, target: QueryTarget, label: &str) -> usize {
+        let own = self.own(target).map_or(0, |ghost| ghost.labels().count(label, None));
+        own + self.neighbours(target).map_or(0, |neighbours| neighbours.context.count(label))
+    }
+
+    /// The number of shapes with a label that are better than a shape.
+    pub(crate) fn rank(&self, target: QueryTarget, label: &str, shape: &LabelledShape, by: ContextComparison) -> usize {
+        let own = self.own(target).map_or(0, |ghost| ghost.labels().rank(label, None, shape, by));
+        own + self.neighbours(target).map_or(0, |neighbours| neighbours.context.rank(label, shape, by))
+    }
+
+    fn own(&self, target: QueryTarget) -> Option<&Ghost> {
+        self.own.as_deref().filter(|_| target != QueryTarget::Inter)
+    }
+
+    fn neighbours(&self, target: QueryTarget) -> Option<&Neighbours> {
+        self.neighbours.as_deref().filter(|_| target != QueryTarget::Intra)
+    }
+}

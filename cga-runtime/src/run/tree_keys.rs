@@ -1,0 +1,312 @@
+//! Keys of shapes in the tree of shapes, during a run (*getTreeKey function*).
+//!
+//! A run tells when it enters a rule, and the number of rules on the trail, the *level*, determines the parent, as in
+//! `run/shape_tree/builder.rs`. Each call of a rule and each leaf symbol is a child with a number. A block belongs to its rule, so its
+//! children have numbers of the rule. A child that waits has its number at once. If a block waits, its first child has that number, and its
+//! other children have the next free numbers of the rule.
+//!
+//! Occlusion queries tell blocks apart: the solid in one part of a split is no ancestor of the shapes in another part. So a block that is
+//! entered is a place of its own, the *part*, with no number in keys. In a rule that does not ask, blocks need not be told.
+
+use std::collections::VecDeque;
+
+/// A shape in [`TreeKeys`]; the initial shape by default.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct TreeNode(u32);
+
+/// The shapes of a run so far. The first one is the initial shape.
+#[derive(Clone, Debug)]
+pub(crate) struct TreeKeys {
+    nodes: Vec<Node>,
+    /// The shapes of the rules on the trail, since the last waiting call was resumed.
+    path: Vec<u32>,
+    /// The waiting call that was resumed last.
+    resumed: Option<WaitingChild>,
+    waiting: VecDeque<WaitingChild>,
+    /// The places around the parts that were entered: each with its level.
+    around: Vec<(usize, u32)>,
+}
+
+/// A shape or a part.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    parent: u32,
+    /// The number among the children of its rule; for a part, [`PART`] and the number among the parts of its parent.
+    number: u32,
+    /// The number of ancestors, parts included.
+    depth: u32,
+    /// The number of children so far; unused for a part.
+    children: u32,
+    /// The number of parts so far.
+    parts: u32,
+}
+
+/// Marks the number of a part.
+const PART: u32 = 1 << 31;
+
+impl Node {
+    fn is_part(&self) -> bool {
+        self.number & PART != 0
+    }
+}
+
+/// A call that waits.
+#[derive(Clone, Copy, Debug)]
+struct WaitingChild {
+    parent: u32,
+    /// The number of its first child, until there is one.
+    number: Option<u32>,
+}
+
+/// The state of [`TreeKeys`] before an operand.
+#[derive(Debug)]
+pub(crate) struct KeysBeforeOperand {
+    nodes: usize,
+    /// The current shape and its part, whose counts an operand changes.
+    counts: [(u32, Node); 2],
+    path: Vec<u32>,
+    resumed: Option<WaitingChild>,
+    waiting: VecDeque<WaitingChild>,
+}
+
+impl Default for TreeKeys {
+    fn default() -> Self {
+        let root = Node { parent: 0, number: 0, depth: 0, children: 0, parts: 0 };
+        TreeKeys { nodes: vec![root], path: Vec::new(), resumed: None, waiting: VecDeque::new(), around: Vec::new() }
+    }
+}
+
+impl TreeKeys {
+    /// Enters the rule that is the last of `level` rules on the trail.
+    pub(crate) fn enter(&mut self, level: usize) {
+        let above = level.saturating_sub(1);
+        // The start rule is the rule of the initial shape.
+        let node = if above == 0 && self.resumed.is_none() { 0 } else { self.add(above) };
+        self.path.truncate(above);
+        self.path.push(node);
+    }
+
+    /// Enters a block of the rule at a level.
+    pub(crate) fn begin_part(&mut self, level: usize) {
+        let parent = self.parent(level);
+        let above = &mut self.nodes[parent as usize];
+        above.parts += 1;
+        let part = Node { parent, number: PART | (above.parts - 1), depth: above.depth + 1, children: 0, parts: 0 };
+        self.nodes.push(part);
+        self.around.push((level, parent));
+        self.replace_parent(level, self.nodes.len() as u32 - 1);
+    }
+
+    /// Leaves the block that was entered last.
+    pub(crate) fn end_part(&mut self) {
+        if let Some((level, parent)) = self.around.pop() {
+            self.replace_parent(level, parent);
+        }
+    }
+
+    /// Adds a leaf symbol of the rule at a level.
+    pub(crate) fn symbol(&mut self, level: usize) -> TreeNode {
+        TreeNode(self.add(level))
+    }
+
+    /// The shape of the rule at a level; the initial shape before any rule.
+    pub(crate) fn current(&self, level: usize) -> TreeNode {
+        TreeNode(self.parent(level))
+    }
+
+    /// Adds a call of the rule at a level that waits.
+    pub(crate) fn wait(&mut self, level: usize) {
+        let parent = self.parent(level);
+        let number = Some(self.next_number(level, parent));
+        self.waiting.push_back(WaitingChild { parent, number });
+    }
+
+    /// Resumes the call that has waited longest.
+    pub(crate) fn resume(&mut self) {
+        self.path.clear();
+        self.resumed = self.waiting.pop_front();
+    }
+
+    /// The key of a shape: the numbers of children from the initial shape on.
+    pub(crate) fn key(&self, node: TreeNode) -> Vec<u32> {
+        self.place(node).into_iter().filter(|number| number & PART == 0).collect()
+    }
+
+    /// The place of a shape: the numbers of its key, with its parts.
+    pub(crate) fn place(&self, node: TreeNode) -> Vec<u32> {
+        let mut numbers = vec![0; self.nodes[node.0 as usize].depth as usize + 1];
+        let mut at = node.0;
+        for number in numbers.iter_mut().rev() {
+            let node = self.nodes[at as usize];
+            *number = node.number;
+            at = node.parent;
+        }
+        numbers
+    }
+
+    /// Returns true if a shape is at a place, or is an ancestor or descendant of it.
+    pub(crate) fn is_in_line(&self, node: TreeNode, place: &[u32]) -> bool {
+        let mut node = self.nodes[node.0 as usize];
+        while place.len() <= node.depth as usize {
+            node = self.nodes[node.parent as usize];
+        }
+        loop {
+            if place.get(node.depth as usize) != Some(&node.number) {
+                return false;
+            }
+            if node.depth == 0 {
+                return true;
+            }
+            node = self.nodes[node.parent as usize];
+        }
+    }
+
+    /// Begins an operand of the rule at a level. Its shapes are not in the tree: they have keys below the current shape, which the end of
+    /// the operand removes.
+    pub(crate) fn begin_operand(&mut self, level: usize) -> KeysBeforeOperand {
+        let parent = self.parent(level);
+        KeysBeforeOperand {
+            nodes: self.nodes.len(),
+            counts: [self.rule_of(parent), parent].map(|node| (node, self.nodes[node as usize])),
+            path: self.path.clone(),
+            resumed: self.resumed,
+            waiting: std::mem::take(&mut self.waiting),
+        }
+    }
+
+    /// Ends an operand.
+    pub(crate) fn end_operand(&mut self, before: KeysBeforeOperand) {
+        self.nodes.truncate(before.nodes);
+        before.counts.into_iter().for_each(|(node, counts)| self.nodes[node as usize] = counts);
+        (self.path, self.resumed, self.waiting) = (before.path, before.resumed, before.waiting);
+    }
+
+    fn parent(&self, level: usize) -> u32 {
+        match level.checked_sub(1) {
+            Some(above) => self.path.get(above).copied().unwrap_or_default(),
+            None => self.resumed.map_or(0, |resumed| resumed.parent),
+        }
+    }
+
+    fn replace_parent(&mut self, level: usize, parent: u32) {
+        match level.checked_sub(1) {
+            Some(above) => self.path[above..].iter_mut().take(1).for_each(|own| *own = parent),
+            None => self.resumed.iter_mut().for_each(|resumed| resumed.parent = parent),
+        }
+    }
+
+    /// The shape whose part a place is, or the shape itself.
+    fn rule_of(&self, mut node: u32) -> u32 {
+        while self.nodes[node as usize].is_part() {
+            node = self.nodes[node as usize].parent;
+        }
+        node
+    }
+
+    /// The number of the next child of the rule at a level.
+    fn next_number(&mut self, level: usize, parent: u32) -> u32 {
+        let reserved = if level == 0 { self.resumed.as_mut().and_then(|resumed| resumed.number.take()) } else { None };
+        reserved.unwrap_or_else(|| {
+            let rule = self.rule_of(parent);
+            let children = &mut self.nodes[rule as usize].children;
+            *children += 1;
+            *children - 1
+        })
+    }
+
+    /// Adds a child of the rule at a level.
+    fn add(&mut self, level: usize) -> u32 {
+        let parent = self.parent(level);
+        let number = self.next_number(level, parent);
+        let depth = self.nodes[parent as usize].depth + 1;
+        self.nodes.push(Node { parent, number, depth, children: 0, parts: 0 });
+        self.nodes.len() as u32 - 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn children_are_numbered_in_order() {
+        let mut keys = TreeKeys::default();
+        assert_eq!(keys.key(keys.current(0)), [0]);
+        keys.enter(1);
+        assert_eq!(keys.key(keys.current(1)), [0]);
+        keys.enter(2);
+        keys.enter(3);
+        assert_eq!(keys.key(keys.current(3)), [0, 0, 0]);
+        let leaf = keys.symbol(1);
+        assert_eq!(keys.key(leaf), [0, 1]);
+        keys.enter(2);
+        let leaf = keys.symbol(2);
+        assert_eq!(keys.key(leaf), [0, 2, 0]);
+    }
+
+    #[test]
+    fn calls_that_wait_keep_their_number() {
+        let mut keys = TreeKeys::default();
+        keys.enter(1);
+        keys.wait(1);
+        let second = keys.symbol(1);
+        assert_eq!(keys.key(second), [0, 1]);
+        keys.resume();
+        keys.enter(1);
+        assert_eq!(keys.key(keys.current(1)), [0, 0]);
+        // The second child of a block that waited has the next free number.
+        let other = keys.symbol(0);
+        assert_eq!(keys.key(other), [0, 2]);
+    }
+
+    #[test]
+    fn parts_are_places_without_a_number() {
+        let mut keys = TreeKeys::default();
+        keys.enter(1);
+        keys.begin_part(1);
+        let (first, in_first) = (keys.current(1), keys.symbol(1));
+        keys.end_part();
+        keys.begin_part(1);
+        keys.begin_part(1);
+        keys.enter(2);
+        let in_second = keys.current(2);
+        keys.end_part();
+        keys.end_part();
+        assert_eq!([keys.key(first), keys.key(in_first), keys.key(in_second)], [vec![0], vec![0, 0], vec![0, 1]]);
+        assert!(keys.is_in_line(first, &keys.place(in_first)) && keys.is_in_line(in_first, &keys.place(first)));
+        assert!(!keys.is_in_line(first, &keys.place(in_second)) && !keys.is_in_line(in_second, &keys.place(first)));
+        assert!(keys.is_in_line(keys.current(1), &keys.place(in_second)));
+    }
+
+    #[test]
+    fn an_operand_takes_no_number() {
+        let mut keys = TreeKeys::default();
+        keys.enter(1);
+        keys.symbol(1);
+        let before = keys.begin_operand(1);
+        keys.enter(2);
+        assert_eq!(keys.key(keys.current(2)), [0, 1]);
+        keys.wait(2);
+        keys.resume();
+        keys.enter(1);
+        assert_eq!(keys.key(keys.current(1)), [0, 1, 0]);
+        keys.end_operand(before);
+        let next = keys.symbol(1);
+        assert_eq!(keys.key(next), [0, 1]);
+    }
+
+    #[test]
+    fn ancestors_and_descendants_are_in_line() {
+        let mut keys = TreeKeys::default();
+        keys.enter(1);
+        keys.enter(2);
+        let (parent, child, sibling) = (keys.current(2), keys.symbol(2), keys.symbol(2));
+        let key = keys.key(parent);
+        assert!(
+            keys.is_in_line(parent, &key) && keys.is_in_line(child, &key) && keys.is_in_line(keys.current(0), &key)
+        );
+        let key = keys.place(child);
+        assert!(keys.is_in_line(parent, &key) && !keys.is_in_line(sibling, &key));
+        assert!(!keys.is_in_line(parent, &[0, 1]) && !keys.is_in_line(child, &[0, 1, 0]));
+    }
+}
