@@ -263,7 +263,7 @@ fn scenes_end_with_the_first_error_a_watch_or_what_takes_the_models() {
 fn turned_party_walls_are_found_as_well() {
     // A row of four houses whose walls are coplanar only up to rounding.
     let turned = |at: usize, degrees: f64| {
-        let (sin, cos) = degrees.to_radians().sin_cos();
+        let (sin, cos) = libm::sincos(degrees.to_radians());
         let corner = |x: f64, z: f64| [300.0 + x * cos + z * sin, 700.0 - x * sin + z * cos];
         let x = 10.0 * at as f64;
         let outline = [corner(x, 10.0), corner(x + 10.0, 10.0), corner(x + 10.0, 0.0), corner(x, 0.0)];

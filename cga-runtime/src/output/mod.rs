@@ -3,6 +3,8 @@
 pub mod batches;
 pub mod buffers;
 pub mod error;
+#[cfg(feature = "gltf")]
+mod extremes;
 pub(crate) mod flatten;
 #[cfg(feature = "gltf")]
 pub mod gltf;

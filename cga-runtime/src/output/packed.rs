@@ -5,9 +5,13 @@
 
 use std::borrow::Cow;
 
-use glam::{DAffine3, DVec3, Vec3, Vec4};
+#[cfg(feature = "gltf")]
+use glam::Vec3;
+use glam::{DAffine3, DVec3, Vec4};
 
 use super::buffers::Vertex;
+#[cfg(feature = "gltf")]
+use super::extremes::Extremes;
 use super::flatten::{FlatMesh, PlacedFace};
 use super::triangles::Triangles;
 use crate::geometry::mesh::Mesh;
@@ -158,6 +162,7 @@ impl PackedFaces {
     }
 
     /// Adds vertices and indices; index 0 is the first of these vertices.
+    #[cfg(feature = "gltf")]
     pub(super) fn extend(
         &mut self,
         vertices: impl ExactSizeIterator<Item = Vertex>,
@@ -276,6 +281,7 @@ impl PackedFaces {
     }
 
     /// The same faces as vertices and indices, so that parts of them can be taken.
+    #[cfg(feature = "gltf")]
     pub(super) fn into_loose(self) -> Self {
         if self.loose.vertices.len() == self.vertices {
             return self;
@@ -286,6 +292,7 @@ impl PackedFaces {
     }
 
     /// The least and the largest coordinates, if all are finite.
+    #[cfg(feature = "gltf")]
     pub(super) fn bounds(&self) -> Option<(Vec3, Vec3)> {
         let mut extremes = Extremes::default();
         self.quads.iter().flat_map(|quad| &quad.corners).for_each(|corner| extremes.add(corner));
@@ -308,34 +315,7 @@ impl PackedBox {
     }
 }
 
-/// The least and the largest coordinates so far.
-struct Extremes {
-    low: Vec3,
-    high: Vec3,
-    /// Coordinates that are not finite make the sum NaN.
-    zero: Vec3,
-}
-
-impl Default for Extremes {
-    fn default() -> Self {
-        Extremes { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, zero: Vec3::ZERO }
-    }
-}
-
-impl Extremes {
-    #[inline]
-    fn add(&mut self, point: &[f32; 3]) {
-        let point = Vec3::from_array(*point);
-        (self.low, self.high) = (self.low.min(point), self.high.max(point));
-        self.zero += point * 0.0;
-    }
-
-    fn found(self) -> Option<(Vec3, Vec3)> {
-        (self.zero == Vec3::ZERO).then_some((self.low, self.high))
-    }
-}
-
-#[cfg(test)]
+#[cfg(all(test, feature = "gltf"))]
 mod tests {
     use glam::DVec4;
 
