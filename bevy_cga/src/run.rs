@@ -128,7 +128,7 @@ fn leaves(model: &Model, cga: &Cga, origin: DVec3) -> Vec<GeneratedLeaf> {
     let chosen = model.leaves().enumerate().filter(|(_, leaf)| cga.leaf_events.includes(leaf.rule()));
     let made = chosen.map(|(leaf, view)| GeneratedLeaf {
         leaf,
-        transform: convert::corner(view.scope(), origin),
+        transform: convert::corner(&view.scope(), origin),
         size: convert::vector(view.size()),
     });
     made.collect()
