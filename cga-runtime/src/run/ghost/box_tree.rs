@@ -93,10 +93,9 @@ impl BoxTree {
         found
     }
 
-    /// The least value of `measure` over all boxes: the distance between `query` and what is in a box, or more. It is less than the distance
+    /// The least value of `measure` over all boxes, or `least` if that is less: the distance between `query` and what is in a box, or more. It is less than the distance
     /// of the box at most by rounding, and the result is the same for every order of the boxes.
-    pub(crate) fn least(&self, query: &Bounds, measure: &mut dyn FnMut(u32) -> f64) -> f64 {
-        let mut least = f64::INFINITY;
+    pub(crate) fn least(&self, query: &Bounds, mut least: f64, measure: &mut dyn FnMut(u32) -> f64) -> f64 {
         let mut open: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(at) = open.pop() {
             let node = &self.nodes[at];
@@ -155,12 +154,15 @@ mod tests {
                 |at: u32| if all[at as usize] == *query { f64::INFINITY } else { gap(&all[at as usize], query) };
             let expected = (0..all.len() as u32).map(others).fold(f64::INFINITY, f64::min);
             let mut measured = 0;
-            let found = tree.least(query, &mut |at| {
+            let found = tree.least(query, f64::INFINITY, &mut |at| {
                 measured += 1;
                 others(at)
             });
             assert_eq!(found, expected);
             assert!(measured < 120, "{measured}");
+            // With a bound below it, nothing is measured.
+            let mut none = |_| unreachable!("nothing is nearer");
+            assert_eq!(tree.least(query, 0.0, &mut none), 0.0);
         }
         assert!(BoxTree::new(Vec::new()).within(&all[0], 1.0).is_empty());
     }
@@ -173,7 +175,7 @@ mod tests {
         for places in [[4.0, -4.0], [-4.0, 4.0]] {
             let tree = BoxTree::new(places.map(box_at).to_vec());
             let measure = |at: u32| if places[at as usize] < 0.0 { 3.0 - 2.0 * f64::EPSILON } else { 3.0 };
-            assert_eq!(tree.least(&query, &mut { measure }), 3.0 - 2.0 * f64::EPSILON);
+            assert_eq!(tree.least(&query, f64::INFINITY, &mut { measure }), 3.0 - 2.0 * f64::EPSILON);
         }
     }
 }
