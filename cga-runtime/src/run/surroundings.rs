@@ -68,13 +68,12 @@ impl LabelledNeighbours {
         }
     }
 
-    fn least_distance(&self, label: &str, scope: &Scope) -> f64 {
+    fn least_distance(&self, label: &str, scope: &Scope, least: f64) -> f64 {
         match self {
-            LabelledNeighbours::Some(ghosts) => ghosts
-                .iter()
-                .map(|ghost| ghost.labels().least_distance(label, None, scope))
-                .fold(f64::INFINITY, f64::min),
-            LabelledNeighbours::AllBut(index, own) => index.least_distance(label, Some(*own), scope),
+            LabelledNeighbours::Some(ghosts) => {
+                ghosts.iter().fold(least, |least, ghost| ghost.labels().least_distance(label, None, scope, least))
+            }
+            LabelledNeighbours::AllBut(index, own) => index.least_distance(label, Some(*own), scope, least),
         }
     }
 }
@@ -100,9 +99,9 @@ impl Surroundings {
 
     /// The distance from a scope to the nearest scope with a label, in metres; infinite without one.
     pub(crate) fn least_distance(&self, target: QueryTarget, label: &str, scope: &Scope) -> f64 {
-        let own = self.own(target).map(|ghost| ghost.labels().least_distance(label, None, scope));
-        let others = self.neighbours(target).map(|neighbours| neighbours.context.least_distance(label, scope));
-        own.into_iter().chain(others).fold(f64::INFINITY, f64::min)
+        let far = f64::INFINITY;
+        let own = self.own(target).map_or(far, |ghost| ghost.labels().least_distance(label, None, scope, far));
+        self.neighbours(target).map_or(own, |neighbours| neighbours.context.least_distance(label, scope, own))
     }
 
     /// The number of shapes with a label.

@@ -9,6 +9,9 @@ use crate::geometry::mesh::Bounds;
 /// The largest number of boxes in a node without children.
 const LEAF: usize = 8;
 
+/// The rounding errors of a measured distance, relative to the largest coordinate.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// Boxes, divided at the median of their centres.
 #[derive(Debug, Default)]
 pub(crate) struct BoxTree {
@@ -30,6 +33,13 @@ struct Node {
 /// The distance between two boxes; infinite for an empty box.
 pub(crate) fn gap(a: &Bounds, b: &Bounds) -> f64 {
     (b.low - a.high).max(a.low - b.high).max(DVec3::ZERO).length()
+}
+
+/// A length that no measured distance between things in two boxes is below, in spite of rounding.
+fn least_measure(a: &Bounds, b: &Bounds) -> f64 {
+    let corners = [a.low, a.high, b.low, b.high].map(|corner| corner.abs().max_element());
+    let far = corners.into_iter().fold(0.0, f64::max);
+    (gap(a, b) - ROUNDING * far).max(0.0)
 }
 
 impl BoxTree {
@@ -83,13 +93,13 @@ impl BoxTree {
         found
     }
 
-    /// The least value of `measure` over all boxes. It is never less than the distance between the box and `query`.
-    pub(crate) fn least(&self, query: &Bounds, measure: &mut dyn FnMut(u32) -> f64) -> f64 {
-        let mut least = f64::INFINITY;
+    /// The least value of `measure` over all boxes, or `least` if that is less: the distance between `query` and what is in a box, or more. It is less than the distance
+    /// of the box at most by rounding, and the result is the same for every order of the boxes.
+    pub(crate) fn least(&self, query: &Bounds, mut least: f64, measure: &mut dyn FnMut(u32) -> f64) -> f64 {
         let mut open: Vec<usize> = if self.nodes.is_empty() { Vec::new() } else { vec![0] };
         while let Some(at) = open.pop() {
             let node = &self.nodes[at];
-            if least <= gap(&node.bounds, query) {
+            if least <= least_measure(&node.bounds, query) {
                 continue;
             }
             match node.second {
@@ -100,7 +110,7 @@ impl BoxTree {
                 }
                 None => {
                     for item in &self.items[node.items.clone()] {
-                        if gap(&self.boxes[*item as usize], query) < least {
+                        if least_measure(&self.boxes[*item as usize], query) < least {
                             least = least.min(measure(*item));
                         }
                     }
@@ -144,13 +154,28 @@ mod tests {
                 |at: u32| if all[at as usize] == *query { f64::INFINITY } else { gap(&all[at as usize], query) };
             let expected = (0..all.len() as u32).map(others).fold(f64::INFINITY, f64::min);
             let mut measured = 0;
-            let found = tree.least(query, &mut |at| {
+            let found = tree.least(query, f64::INFINITY, &mut |at| {
                 measured += 1;
                 others(at)
             });
             assert_eq!(found, expected);
             assert!(measured < 120, "{measured}");
+            // With a bound below it, nothing is measured.
+            let mut none = |_| unreachable!("nothing is nearer");
+            assert_eq!(tree.least(query, 0.0, &mut none), 0.0);
         }
         assert!(BoxTree::new(Vec::new()).within(&all[0], 1.0).is_empty());
+    }
+
+    #[test]
+    fn the_least_value_does_not_depend_on_the_order_of_equally_near_boxes() {
+        // Measured distances of equally near boxes differ by rounding.
+        let box_at = |x: f64| Bounds { low: DVec3::X * x, high: DVec3::X * x + 1.0 };
+        let query = box_at(0.0);
+        for places in [[4.0, -4.0], [-4.0, 4.0]] {
+            let tree = BoxTree::new(places.map(box_at).to_vec());
+            let measure = |at: u32| if places[at as usize] < 0.0 { 3.0 - 2.0 * f64::EPSILON } else { 3.0 };
+            assert_eq!(tree.least(&query, f64::INFINITY, &mut { measure }), 3.0 - 2.0 * f64::EPSILON);
+        }
     }
 }

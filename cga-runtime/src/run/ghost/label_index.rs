@@ -62,12 +62,13 @@ impl LabelIndex {
         all - list.of(without).iter().filter(|(_, shape)| shape.is_better(own, by)).count()
     }
 
-    /// The distance from a scope to the nearest scope of a shape with a label, in metres; infinite without one.
-    pub(crate) fn least_distance(&self, label: &str, without: Option<usize>, scope: &Scope) -> f64 {
-        let Some(list) = self.labels.get(label) else { return f64::INFINITY };
+    /// The distance from a scope to the nearest scope of a shape with a label, in metres, or `least` if that is less: what is farther away is
+    /// not measured.
+    pub(crate) fn least_distance(&self, label: &str, without: Option<usize>, scope: &Scope, least: f64) -> f64 {
+        let Some(list) = self.labels.get(label) else { return least };
         let tree =
             list.tree.get_or_init(|| BoxTree::new(list.shapes.iter().map(|(_, shape)| shape.around()).collect()));
-        tree.least(&Bounds::of(scope.corners()), &mut |item| {
+        tree.least(&Bounds::of(scope.corners()), least, &mut |item| {
             let (number, shape) = &list.shapes[item as usize];
             if Some(*number) == without { f64::INFINITY } else { shape.distance_to(scope) }
         })
