@@ -24,6 +24,10 @@ pub(super) struct Distances {
     pub(super) context: f64,
 }
 
+/// The number of initial shapes with labels up to which each is derived once for all queries. In larger scenes whose rules ask for labels
+/// of all and for closed shapes nearby, neighbours are derived twice, so that memory does not grow with the closed shapes of a city.
+const MOST_KEPT: usize = 1 << 12;
+
 /// What the runs of a scene share.
 pub(super) struct SceneRun<'s> {
     lots: &'s [Shape],
@@ -97,7 +101,9 @@ impl<'s> SceneRun<'s> {
             |found: Result<(usize, Arc<Ghost>), (usize, NoResult)>| match found {
                 Ok((at, ghost)) => {
                     index.add_all(at, ghost.labels());
-                    if !self.collect.occluders {
+                    // Of many, those that occlusion queries ask about are derived again when their turn comes.
+                    let is_asked = self.collect.occluders && self.users[at].load(Ordering::Relaxed) != 0;
+                    if !is_asked || MOST_KEPT < labelled.len() {
                         self.forget(at);
                     }
                 }

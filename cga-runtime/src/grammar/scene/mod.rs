@@ -38,7 +38,8 @@ use crate::shape::Shape;
 /// in its rules are called again. If its derivation fails, so does the run that needs it.
 ///
 /// Neighbours are dropped as soon as no later initial shape can ask about them, so initial shapes that are neighbours should be near each
-/// other in the list. Labelled shapes stay until the end where the distance is infinite.
+/// other in the list. Labelled shapes stay until the end where the distance is infinite. If rules ask for labels of all initial shapes and for
+/// closed shapes of neighbours, and more than 4,096 initial shapes have labels, each is derived twice, so that closed shapes need not stay.
 ///
 /// ```
 /// # // Rules are compiled by the crate `cga`; its tests run an example.
@@ -236,10 +237,10 @@ impl<'s> Scene<'s> {
         let mut session = self.open(&Settings { echo: false, ..settings.clone() })?;
         let scene = SceneRun::new(self.lots, self.distances, &mut session);
         drop(session);
+        scene.count_users();
         if (0..self.lots.len()).any(|index| scene.asks_about_all(index)) {
             scene.index_labels(&open, settings)?;
         }
-        scene.count_users();
         let run_at = |session: &mut Worker<'_>, index: usize, sink: &mut dyn Sink| scene.outcome(session, index, sink);
         run(&Runs { open: &open, count: self.lots.len(), run: &run_at })
     }
