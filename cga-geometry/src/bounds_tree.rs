@@ -29,7 +29,7 @@ struct BoundsNode {
 }
 
 impl BoundsTree {
-    /// The tree of boxes, which are numbered in order. Takes time n log n and keeps no box but those of its nodes.
+    /// The tree of boxes, which are numbered in order. Takes time n log n and keeps the boxes of its nodes alone.
     pub fn of(boxes: &[Bounds]) -> Self {
         let mut tree = BoundsTree { nodes: Vec::new(), order: (0..boxes.len() as u32).collect() };
         if !boxes.is_empty() {
@@ -57,7 +57,7 @@ impl BoundsTree {
     }
 
     /// Calls `found` with the numbers of the boxes in the nodes that `enters` accepts, until `found` returns false. Some of these boxes
-    /// would not be accepted themselves, and their order is that of the tree. Returns the number of nodes that were compared.
+    /// would not be accepted themselves, and they come in the order of the tree. Returns the number of nodes that were compared.
     #[inline]
     pub fn visit(&self, enters: impl Fn(&Bounds) -> bool, mut found: impl FnMut(u32) -> bool) -> usize {
         let (mut open, mut waiting, mut compared) = ([0u32; MOST_OPEN], 0, 0);
