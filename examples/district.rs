@@ -1,14 +1,16 @@
-//! A district from building outlines: `district.glb` and `district.png`.
+//! A district from building outlines: `district.glb` and `district.png`. Buildings, streets and gardens are one scene, so walls that touch
+//! a neighbour have no windows, shops face a street, and trees stand clear of houses.
 //!
-//! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude.
-//! Without a path it uses a small sample of made-up outlines.
+//! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude. The property `start` is
+//! `Street` or `Garden`; other polygons are buildings. Without a path it uses a small sample of made-up outlines.
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 use std::time::Instant;
 
-use cga::{Model, Settings, Shape, Sink, cga};
+use cga::sink::picture::Picture;
+use cga::{Model, Scene, Settings, Shape, Sink, cga};
 use serde_json::Value;
 
 cga! {
@@ -26,6 +28,8 @@ cga! {
     attr slope = rand(30, 42)
     /// True if the ground floor has shops.
     attr shops = p(0.4)
+    /// True if the building is in a scene, with its neighbours and streets.
+    attr neighbours = false
 
     const ground = 3.9
     const storey = 3.2
@@ -34,6 +38,8 @@ cga! {
     const tiles = 0.14
     height = ground + storeys * storey + 1
     light = 15% : "#f0d48c" else : "#5b7583"
+    leaves = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+    toStreet = minimumDistance(inter, "street")
 
     @StartRule
     Lot    --> case geometry.area < 60 : Build(3.2) else : Build(height)
@@ -78,8 +84,20 @@ cga! {
     Parapet --> extrude(0.8) color("#efe9dc") Parapet.
 
     Facade --> case scope.sx < 2.6 || scope.sy < 3.5 : Wall.
-               else : split(y) { ground : Ground | { ~storey : Floor }* }
-    Ground --> case shops && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
+               case neighbours : Ahead(toStreet)
+               else : Free(shops)
+    // A side faces a street if three metres ahead are nearer to it.
+    Ahead(before) --> t(0, 0, 3) Back(before < 15 && toStreet < before - 0.9)
+    Back(faces) --> t(0, 0, -3) Side(faces)
+    // A party wall has windows above the roof of the neighbour.
+    Side(faces) --> case touches(inter) && !faces : Party else : Free(shops && faces)
+    Party  --> split(y) { ground : PartyFloor(1.1, 2.0) | { ~storey : PartyFloor(0.85, 1.75) }* }
+    PartyFloor(sill, h) --> split(x) { ~0.4 : Wall. | { ~2.8 : PartyBay(sill, h) }* | ~0.4 : Wall. }
+    PartyBay(sill, h) --> case touches(inter) : Wall. else : Bay(sill, h)
+
+    Free(selling) --> split(y) { ground : Ground(selling) | { ~storey : Floor }* }
+    Ground(selling) -->
+               case selling && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
                else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }
     Shop   --> split(y) { 3 : [ t(0, 0, -0.2) color("#39464d") Glass. ] NIL | ~1 : color("#6b4a3a") Sign. }
     Floor  --> split(x) { ~0.4 : Wall. | { ~2.8 : Bay(0.85, 1.75) }* | ~0.4 : Wall. }
@@ -89,19 +107,33 @@ cga! {
                color("#f4f1ea") split(x) { 0.09 : Frame | ~1 : Middle | 0.09 : Frame }
     Middle --> split(y) { 0.09 : Frame | ~1 : NIL | 0.09 : Frame }
     Frame  --> t(0, 0, -0.12) extrude(0.15) Frame.
+
+    @StartRule
+    Street --> label("street") color("#62646a") Roadway.
+
+    // Trees that would grow into a house are left out.
+    @StartRule
+    Garden --> [ color("#8dab66") Lawn. ] scatter(surface, 1 + geometry.area / 25, uniform) { Tree(rand(3, 5)) }
+    Tree(size) --> s(size, 1.8 * size, size) center(xz) primitiveCube Planted
+    Planted --> case overlaps(inter) : NIL
+                else : [ s(^0.1, ^0.5, ^0.1) center(xz) color("#6b5138") Trunk. ]
+                       t(0, ^0.3, 0) s(^1, ^0.7, ^1) primitiveSphere(10, 7) color(leaves) Crown.
 }
 
 /// An outline with its holes, in metres: x to the east, z to the south.
 pub(crate) struct Footprint {
     label: String,
+    /// The start rule.
+    pub(crate) start: &'static str,
     outer: Vec<[f64; 2]>,
     holes: Vec<Vec<[f64; 2]>>,
 }
 
 impl Footprint {
-    /// The initial shape of a building. Its number is its seed.
+    /// The initial shape. Its number is its seed.
     pub(crate) fn lot(&self, number: usize) -> Result<Shape, cga::Error> {
-        Ok(Shape::footprint(&self.outer, &self.holes)?.seed(number as u64).named(self.label.as_str()))
+        let shape = Shape::footprint(&self.outer, &self.holes)?.seed(number as u64);
+        Ok(shape.named(self.label.as_str()).start(self.start))
     }
 }
 
@@ -122,31 +154,32 @@ fn run() -> Result<(), Box<dyn Error>> {
     };
     let (footprints, mut skipped) = read(&text)?;
 
-    let begin = Instant::now();
-    let mut district = Model::new();
-    let (mut built, mut shapes) = (0usize, 0);
+    let mut lots = Vec::new();
     for (number, footprint) in footprints.iter().enumerate() {
-        progress(number, footprints.len());
-        let house = House::default();
-        match footprint.lot(number).and_then(|lot| house.generate_with(&lot, &Settings::default())) {
-            Ok(model) => {
-                built += 1;
-                shapes += model.report().shapes;
-                skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", footprint.label)));
-                let _ = model.replay(&mut district as &mut dyn Sink);
-            }
+        match footprint.lot(number) {
+            Ok(lot) => lots.push(lot),
             Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
         }
     }
-    progress(footprints.len(), footprints.len());
+
+    let begin = Instant::now();
+    let grammar = House { neighbours: true, ..House::default() };
+    let mut district = Model::new();
+    // Crowns reach further than a metre beyond their garden.
+    let report =
+        Scene::new(&grammar, &lots).occlusion_distance(4.0).generate_each(&Settings::default(), |at, model| {
+            progress(at + 1, lots.len());
+            skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", lots[at].name())));
+            model.replay(&mut district as &mut dyn Sink)
+        })?;
     let took = begin.elapsed();
 
     for line in &skipped {
         eprintln!("{line}");
     }
     district.write_glb("district.glb")?;
-    district.write_png("district.png")?;
-    println!("{built} buildings, {} reports, {shapes} shapes", skipped.len());
+    Picture::new(1200, 800).looking_from(25.0, 28.0).render(&district).write_png("district.png")?;
+    println!("{} outlines, {} reports, {} shapes", lots.len(), skipped.len(), report.shapes);
     println!("{} triangles in {:.2} s", district.triangle_count(), took.as_secs_f64());
     println!("wrote district.glb and district.png");
     Ok(())
@@ -169,6 +202,11 @@ pub(crate) fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn 
     let (mut footprints, mut problems) = (Vec::new(), Vec::new());
     for (number, feature) in features.iter().enumerate() {
         let label = format!("feature {number}");
+        let start = match feature["properties"]["start"].as_str() {
+            Some("Street") => "Street",
+            Some("Garden") => "Garden",
+            _ => "Lot",
+        };
         let geometry = &feature["geometry"];
         let polygons: Vec<&Value> = match geometry["type"].as_str() {
             Some("Polygon") => vec![&geometry["coordinates"]],
@@ -185,7 +223,7 @@ pub(crate) fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn 
             let rings: Option<Vec<Vec<[f64; 2]>>> =
                 polygon.as_array().and_then(|rings| rings.iter().map(ring).collect());
             match rings.map(|mut rings| (!rings.is_empty()).then(|| (rings.remove(0), rings))) {
-                Some(Some((outer, holes))) => footprints.push(Footprint { label: label.clone(), outer, holes }),
+                Some(Some((outer, holes))) => footprints.push(Footprint { label: label.clone(), start, outer, holes }),
                 _ => problems.push(format!("{label}: skipped: its coordinates cannot be read")),
             }
         }
@@ -233,7 +271,7 @@ fn project(footprints: &mut [Footprint]) {
     }
 }
 
-/// Four made-up buildings, one with a courtyard, and two features that cannot be built.
+/// Made-up buildings, one with a courtyard and some in a row, a street and gardens, and two features that cannot be built.
 pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0000, 50.0000], [10.0006, 50.0000], [10.0006, 50.0004], [10.0000, 50.0004], [10.0000, 50.0000]],
@@ -245,7 +283,27 @@ pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
         [[10.0010, 50.00016], [10.0013, 50.00012], [10.00135, 50.0003], [10.00115, 50.00035], [10.0010, 50.0003],
          [10.0010, 50.00016]] ] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
-        [[10.0000, 50.00052], [10.0013, 50.00052], [10.0013, 50.00062], [10.0000, 50.00062], [10.0000, 50.00052]] ] } },
+        [[10.00000, 50.00052], [10.00130, 50.00052], [10.00130, 50.00062], [10.00000, 50.00062], [10.00000, 50.00052]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00000, 49.99968], [10.00019, 49.99968], [10.00019, 49.99979], [10.00000, 49.99979], [10.00000, 49.99968]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00019, 49.99968], [10.00038, 49.99968], [10.00038, 49.99977], [10.00019, 49.99977], [10.00019, 49.99968]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00038, 49.99968], [10.00057, 49.99968], [10.00057, 49.99981], [10.00038, 49.99981], [10.00038, 49.99968]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00057, 49.99968], [10.00076, 49.99968], [10.00076, 49.99978], [10.00057, 49.99978], [10.00057, 49.99968]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00095, 49.99968], [10.00114, 49.99968], [10.00114, 49.99978], [10.00095, 49.99978], [10.00095, 49.99968]] ] } },
+    { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00114, 49.99968], [10.00133, 49.99968], [10.00133, 49.99980], [10.00114, 49.99980], [10.00114, 49.99968]] ] } },
+    { "type": "Feature", "properties": { "start": "Street" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[9.99990, 49.99957], [10.00140, 49.99957], [10.00140, 49.99965], [9.99990, 49.99965], [9.99990, 49.99957]] ] } },
+    { "type": "Feature", "properties": { "start": "Garden" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00060, 50.00000], [10.00080, 50.00000], [10.00080, 50.00040], [10.00060, 50.00040], [10.00060, 50.00000]] ] } },
+    { "type": "Feature", "properties": { "start": "Garden" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00076, 49.99968], [10.00095, 49.99968], [10.00095, 49.99981], [10.00076, 49.99981], [10.00076, 49.99968]] ] } },
+    { "type": "Feature", "properties": { "start": "Garden" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[10.00000, 49.99982], [10.00130, 49.99982], [10.00130, 49.99997], [10.00000, 49.99997], [10.00000, 49.99982]] ] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [10.0, 50.0] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0, 50.0], [10.001, 50.0], [10.0, 50.0]] ] } }

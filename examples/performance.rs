@@ -9,8 +9,9 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 13] = [
+const BENCHES: [(&str, &str, &[&str]); 14] = [
     ("cga", "rules", &[]),
+    ("cga", "queries", &[]),
     ("cga", "files", &[]),
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),

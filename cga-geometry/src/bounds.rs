@@ -33,6 +33,11 @@ impl Bounds {
         points.into_iter().fold(Bounds::EMPTY, |sum, point| sum.union(Bounds { low: point, high: point }))
     }
 
+    /// The distance to another box; infinite if one is empty.
+    pub fn distance(&self, other: &Bounds) -> f64 {
+        (other.low - self.high).max(self.low - other.high).max(DVec3::ZERO).length()
+    }
+
     /// The bounding box of two boxes.
     #[must_use]
     pub fn union(self, other: Bounds) -> Bounds {

@@ -53,7 +53,7 @@ pub mod along_uv;
 mod average_normal;
 pub mod boolean;
 pub(crate) mod bounds;
-pub(crate) mod bounds_tree;
+pub mod bounds_tree;
 pub mod buckets;
 pub mod cleanup;
 pub mod conform;

@@ -1,6 +1,6 @@
 //! A scene: rules, the shapes that they start with, and the view of its picture.
 
-use cga::{Error, Grammar, Model, Settings, Shape};
+use cga::{Error, Flow, Grammar, Model, Settings, Shape};
 
 /// Rules and what they are run on. Nothing is read from disk.
 pub struct Scene {
@@ -59,11 +59,14 @@ impl Scene {
     /// # Errors
     /// The first error of a run.
     pub fn model(&self) -> Result<Model, Error> {
+        let lots: Vec<Shape> = self.shapes.iter().map(|start| start.shape.clone().start(start.rule)).collect();
         let mut model = Model::new();
-        for Start { rule, shape } in &self.shapes {
-            let settings = Settings { start: Some((*rule).to_owned()), ..Settings::default() };
-            model.append(&self.grammar.generate_with(shape, &settings)?);
-        }
+        cga::Scene::new(&*self.grammar, &lots)
+            .generate_each(&Settings::default(), |_, one| {
+                model.append(&one);
+                Flow::Continue(())
+            })
+            .map_err(|error| error.error)?;
         Ok(model)
     }
 }

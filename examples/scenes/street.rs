@@ -34,10 +34,11 @@ cga! {
     enamel  = 25% : "#b3322c" 20% : "#2f5f8a" 20% : "#e9e6df" 15% : "#3c4043" else : "#b9bec2"
     plaster = 25% : "#e2c79a" 20% : "#d5a98a" 20% : "#e8e0d0" 15% : "#b8c0b4" else : "#b76e55"
     slate   = 50% : "#8c5a48" else : "#6f747b"
+    toStreet = minimumDistance(inter, "street")
 
     // Texture coordinates run along the street and across it, so markings follow every bend.
     @StartRule
-    Street  --> [ color(asphalt) Roadway. ]
+    Street  --> label("street") [ color(asphalt) Roadway. ]
                 t(0, above, 0) split(u, unitSpace, 0) { 1.2 : NIL | 3 : Zebra | 1 : NIL | ~1 : Lanes | 1 : NIL | 3 : Zebra | 1.2 : NIL }
     Zebra   --> color(paint) split(v, unitSpace, 0) { 0.4 : NIL | { ~0.55 : Marking. | ~0.55 : NIL }* | 0.4 : NIL }
     Lanes   --> case scope.sz > 9 :
@@ -70,24 +71,35 @@ cga! {
     Sidewalk --> [ extrude(world.up, kerb) color(paving) Pavement. ]
                 t(0, kerb, 0) split(v, unitSpace, 0) { 0.4 : NIL | 1.2 : Furniture | ~1 : NIL }
     Furniture --> split(u, unitSpace, 0) { ~spacing / 2 : NIL | { 1.2 : Tree | ~spacing : NIL | 0.2 : Lamp | ~spacing : NIL }* | ~1 : NIL }
-    Tree    --> [ color("#7b6a52") t(0, 0.02, 0) Pit. ] [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
-                t(0, 2.4, 0) Crown(rand(2.8, 3.8))
-    Crown(size) --> color(leaves) s(size, size * 1.2, size) center(xz) primitiveSphere(12, 8) Crown.
+    Tree    --> [ color("#7b6a52") t(0, 0.02, 0) Pit. ] Room(rand(2.8, 3.8))
+    // A tree stands clear of houses: it has the room of its crown for itself.
+    Room(size) --> s(size, 2.4 + 1.2 * size, size) center(xz) primitiveCube Plant(size)
+    Plant(size) --> case overlaps(inter, "house") : NIL
+                else : [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
+                       t(0, 2.4, 0) color(leaves) s(^1, size * 1.2, ^1) primitiveSphere(12, 8) Crown.
     Lamp    --> color("#3b4245") [ s(0.16, 5.5, 0.16) center(xz) primitiveCylinder(8) Pole. ]
                 t(0, 5.5, 0) s(0.6, 0.35, 0.6) center(xz) primitiveSphere(10, 6) color("#fbeecb") Light.
 
     @StartRule
     Row     --> split(x) { { ~13 : House }* }
     House   --> color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
-    Storeys(n, roof) --> [ extrude(4 + 3.1 * n) comp(f) { bottom : NIL | top : Roof(roof) | object.front : Front | all : Wall. } ]
+    Storeys(n, roof) --> [ extrude(4 + 3.1 * n) label("house") comp(f) { bottom : NIL | top : Roof(roof) | all : Side } ]
     Roof(tint) --> color(tint) roofGable(38, 0, 0.5, true, 0) Roof.
+    // A side faces a street if three metres ahead are nearer to it.
+    Side    --> Ahead(toStreet)
+    Ahead(before) --> t(0, 0, 3) Back(before < 12 && toStreet < before - 0.9)
+    Back(faces) --> t(0, 0, -3) Faced(faces)
+    Faced(faces) --> case faces : Front else : split(y) { 4 : Wall. | { ~3.1 : Floor }* | 0.3 : Wall. }
     Front   --> split(y) { 3.6 : Shops | 0.4 : Band | { ~3.1 : Floor }* | 0.3 : Band }
     Band    --> color("#efe8d8") extrude(0.2) Band.
     Shops   --> split(x) { 0.4 : Wall. | { ~3.6 : Shop | 0.4 : Wall. }* }
     Shop    --> [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
                 t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube
                 split(z) { 0.15 : Sign. | ~1 : split(y) { 0.1 : Awning. | ~1 : NIL } }
-    Floor   --> split(x) { { ~0.8 : Wall. | 1.1 : split(y) { 0.8 : Wall. | ~1 : Window | 0.5 : Wall. } | ~0.8 : Wall. }* }
+    Floor   --> split(x) { { ~2.7 : Bay }* }
+    // A wall that touches the neighbour has no window.
+    Bay     --> case touches(intra) : Wall.
+                else : split(x) { ~1 : Wall. | 1.1 : split(y) { 0.8 : Wall. | ~1 : Window | 0.5 : Wall. } | ~1 : Wall. }
     Window  --> offset(-0.09)
                 comp(f) { border : color("#f6f1e6") extrude(0.06) Frame. | inside : t(0, 0, -0.12) color("#5d7888") set(material.roughness, 0.1) Glass. }
 
@@ -129,7 +141,7 @@ pub fn scene() -> Scene {
     Scene {
         name: "street",
         title: "Street with junctions",
-        sentence: "The library lays out roadways, sidewalks and junctions from three centre lines; rules with CityEngine's names furnish them.",
+        sentence: "The library lays out roadways, sidewalks and junctions from three centre lines; rules with CityEngine's names furnish them. Shops face a street, and walls between houses have no windows.",
         rules: grammar_text(include_str!("street.rs")),
         grammar: Box::new(Streets::default()),
         shapes: streets.chain(rows).chain(greens).collect(),

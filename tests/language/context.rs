@@ -1,7 +1,7 @@
 //! Queries of labelled shapes of the same initial shape (*contextCount*, *contextCompare*, *minimumDistance function*).
 
 use cga::glam::DVec3;
-use cga::{Settings, Shape, cga};
+use cga::{Scene, Settings, Shape, cga};
 
 use crate::{clean, leaves, lines, model};
 
@@ -123,7 +123,13 @@ fn unknown_labels_and_neighbours_give_the_defaults() {
     let model = Defaults::default().generate(&Shape::rectangle(2.0, 2.0)).expect("a model");
     assert_eq!(lines(&model), ["inf", "inf", "0", "0", "1", "false"]);
     let faults: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
-    assert_eq!(faults, ["a query with `inter` gives its default: only a `Scene` knows other initial shapes"]);
+    let expected = "a query with `inter` gives its default, as this run knows no other initial shape; lots that ask about each other are run by \
+                    `Scene::new(&grammar, &lots).generate(&settings)`";
+    assert_eq!(faults, [expected]);
+    // The same lot in a scene, as the fault says.
+    let (grammar, lots, settings) = (Defaults::default(), [Shape::rectangle(2.0, 2.0)], Settings::default());
+    let scene = Scene::new(&grammar, &lots).generate(&settings).expect("a model");
+    assert!(scene.report().faults().is_empty(), "{:?}", scene.report().faults());
 }
 
 #[test]

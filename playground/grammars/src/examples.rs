@@ -30,14 +30,17 @@ fn office_tower() -> CatalogEntry {
 fn district() -> CatalogEntry {
     let (footprints, _) = district::read(district::SAMPLE).expect("the sample is GeoJSON");
     // The last outline of the sample has no area.
-    let lots = footprints.iter().enumerate().filter_map(|(number, footprint)| footprint.lot(number).ok());
+    let lots = footprints
+        .iter()
+        .enumerate()
+        .filter_map(|(number, footprint)| Some(Start::new(footprint.start, footprint.lot(number).ok()?)));
     CatalogEntry::new(Scene {
         name: "district",
         title: "District",
-        sentence: "From `examples/district.rs`: one grammar for any outline; its area and its holes decide the form of the roof.",
+        sentence: "From `examples/district.rs`: one grammar for any outline; its area and its holes decide the form of the roof. Party walls have no windows, and shops face the street.",
         rules: grammar_text(include_str!("../../../examples/district.rs")),
-        grammar: Box::new(district::House::default()),
-        shapes: lots.map(|lot| Start::new("Lot", lot)).collect(),
+        grammar: Box::new(district::House { neighbours: true, ..district::House::default() }),
+        shapes: lots.collect(),
         view: View { azimuth: 28.0, elevation: 32.0, ..View::default() },
     })
 }

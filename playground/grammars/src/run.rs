@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use cga::{Limits, Model, Settings};
+use cga::{Flow, Limits, Model, Scene, Settings, Shape};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 
 use crate::catalog::{entries, entry};
 use crate::entry::CatalogEntry;
+use crate::scenes::scene::Start;
 
 /// A request for a run. A page sends it as JSON.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -65,29 +66,32 @@ impl Run {
         let values = Value::Object(request.values.clone()).to_string();
         grammar.set_values_json(&values).map_err(|error| error.to_string())?;
         let change = request.seed.unwrap_or(entry.seed()).wrapping_sub(entry.seed());
-        let mut used = BTreeMap::new();
-        let mut model: Option<Model> = None;
-        for start in &entry.scene.shapes {
+        let settings = Settings { limits: limits(), assets: entry.assets.clone(), ..Settings::default() };
+        let place = |start: &Start| {
             let shape = start.shape.clone().seed(start.shape.seed_value().wrapping_add(change));
-            let settings = Settings {
-                start: Some(start.rule.to_owned()),
-                limits: limits(),
-                assets: entry.assets.clone(),
-                ..Settings::default()
-            };
-            for (name, value) in grammar.used_values(&shape, &settings).map_err(|error| error.to_string())? {
+            shape.start(start.rule)
+        };
+        let lots: Vec<Shape> = entry.scene.shapes.iter().map(place).collect();
+        let mut used = BTreeMap::new();
+        for shape in &lots {
+            for (name, value) in grammar.used_values(shape, &settings).map_err(|error| error.to_string())? {
                 let list: &mut Vec<Value> = used.entry(name).or_default();
                 let value = serde_json::to_value(&value).unwrap_or_default();
                 if !list.contains(&value) {
                     list.push(value);
                 }
             }
-            let one = grammar.generate_with(&shape, &settings).map_err(|error| error.to_string())?;
+        }
+        // Rules may ask about the other shapes of the scene.
+        let mut model: Option<Model> = None;
+        let take = |_: usize, one: Model| {
             match &mut model {
                 None => model = Some(one),
                 Some(model) => model.append(&one),
             }
-        }
+            Flow::Continue(())
+        };
+        Scene::new(&*grammar, &lots).generate_each(&settings, take).map_err(|error| error.error.to_string())?;
         let model = model.unwrap_or_default();
         let glb = model.to_glb().map_err(|error| error.to_string())?;
         let attributes: Value = serde_json::from_str(&grammar.attributes_json()).unwrap_or_default();

@@ -3,12 +3,12 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::mesh::Bounds;
 use crate::grammar::parallel::order::in_order;
 use crate::grammar::parallel::{Open, Worker};
 use crate::output::batches::RunError;
 use crate::run::derive::{NoResult, RunOutcome};
-use crate::run::ghost::box_tree::BoxTree;
 use crate::run::ghost::{Collect, Ghost, LabelIndex};
 use crate::run::queries::Queries;
 use crate::run::settings::Settings;
@@ -37,7 +37,8 @@ pub(super) struct SceneRun<'s> {
     /// What ghosts contain.
     collect: Collect,
     /// The boxes around the initial shapes, without their height. Empty in a scene without queries of neighbours.
-    plan: BoxTree,
+    plan: Vec<Bounds>,
+    plan_tree: BoundsTree,
     ghosts: Vec<Mutex<Option<Arc<Ghost>>>>,
     /// The number of initial shapes that can still ask about each one. `MAX` where this is not counted.
     users: Vec<AtomicUsize>,
@@ -52,10 +53,10 @@ impl<'s> SceneRun<'s> {
         let all = queries.iter().fold(Queries::default(), |all, own| all | *own);
         let collect =
             Collect { labels: all.has_any(Queries::INTER_CONTEXT), occluders: all.has_any(Queries::INTER_OCCLUSION) };
-        let boxes = if collect.is_nothing() { Vec::new() } else { lots.iter().map(plan_box).collect() };
-        let (ghosts, users) = boxes.iter().map(|_| (Mutex::default(), AtomicUsize::new(usize::MAX))).unzip();
-        let plan = BoxTree::new(boxes);
-        SceneRun { lots, distances, queries, collect, plan, ghosts, users, labels: OnceLock::new() }
+        let plan: Vec<Bounds> = if collect.is_nothing() { Vec::new() } else { lots.iter().map(plan_box).collect() };
+        let (ghosts, users) = plan.iter().map(|_| (Mutex::default(), AtomicUsize::new(usize::MAX))).unzip();
+        let plan_tree = BoundsTree::of(&plan);
+        SceneRun { lots, distances, queries, collect, plan, plan_tree, ghosts, users, labels: OnceLock::new() }
     }
 
     /// Runs an initial shape among its neighbours.
@@ -134,8 +135,7 @@ impl<'s> SceneRun<'s> {
         let Some(own) = self.lots.get(index) else { return Vec::new() };
         let has = |at: usize, kind: Queries| self.queries[at].has_any(kind);
         let near = |kind: Queries, distance: f64| {
-            let near = if self.collect.is_nothing() { Vec::new() } else { self.plan.within(&plan_box(own), distance) };
-            near.into_iter().map(|at| at as usize).filter(move |at| has(*at, kind))
+            self.within(&plan_box(own), distance).into_iter().filter(move |at| has(*at, kind))
         };
         let mut list: Vec<usize> = near(Queries::INTER_OCCLUSION, self.distances.occlusion)
             .chain(near(Queries::INTER_CONTEXT, self.distances.context))
@@ -151,8 +151,20 @@ impl<'s> SceneRun<'s> {
         if !self.queries[index].has_any(kind) {
             return Vec::new();
         }
-        let near = self.plan.within(&plan_box(&self.lots[index]), distance);
-        near.into_iter().map(|at| at as usize).filter(|at| *at != index).collect()
+        let near = self.within(&self.plan[index], distance);
+        near.into_iter().filter(|at| *at != index).collect()
+    }
+
+    /// The initial shapes that are at most so far from a box in plan, in ascending order.
+    fn within(&self, query: &Bounds, distance: f64) -> Vec<usize> {
+        let is_near = |bounds: &Bounds| bounds.distance(query) <= distance;
+        let mut found = Vec::new();
+        self.plan_tree.visit(is_near, |at| {
+            found.extend(is_near(&self.plan[at as usize]).then_some(at as usize));
+            true
+        });
+        found.sort_unstable();
+        found
     }
 
     /// The other initial shapes whose ghosts one asks for, each once.

@@ -141,7 +141,8 @@ impl Env {
     /// Reports a query of other initial shapes in a run that knows none, as it is not part of a scene.
     pub(crate) fn expect_scene(&mut self, target: QueryTarget) {
         if target == QueryTarget::Inter && self.scene.around.neighbours.is_none() {
-            let message = "a query with `inter` gives its default: only a `Scene` knows other initial shapes";
+            let message = "a query with `inter` gives its default, as this run knows no other initial shape; lots that ask about each \
+                           other are run by `Scene::new(&grammar, &lots).generate(&settings)`";
             self.fault_once(FaultKind::Value, message);
         }
     }

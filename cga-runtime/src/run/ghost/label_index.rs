@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
-use super::box_tree::BoxTree;
 use super::labelled::{ContextComparison, LabelledShape, is_better};
+use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::mesh::Bounds;
 use crate::shape::scope::Scope;
 use crate::value::text::Text;
@@ -22,7 +22,7 @@ struct LabelList {
     /// By comparison, the values of all shapes in ascending order, once a query has asked.
     values: [OnceLock<Vec<f64>>; ContextComparison::ALL.len()],
     /// The boxes around the scopes.
-    tree: OnceLock<BoxTree>,
+    tree: OnceLock<BoundsTree>,
 }
 
 impl LabelIndex {
@@ -66,9 +66,11 @@ impl LabelIndex {
     /// not measured.
     pub(crate) fn least_distance(&self, label: &str, without: Option<usize>, scope: &Scope, least: f64) -> f64 {
         let Some(list) = self.labels.get(label) else { return least };
-        let tree =
-            list.tree.get_or_init(|| BoxTree::new(list.shapes.iter().map(|(_, shape)| shape.around()).collect()));
-        tree.least(&Bounds::of(scope.corners()), least, &mut |item| {
+        let tree = list.tree.get_or_init(|| {
+            let boxes: Vec<Bounds> = list.shapes.iter().map(|(_, shape)| shape.around()).collect();
+            BoundsTree::of(&boxes)
+        });
+        tree.least(&Bounds::of(scope.corners()), least, |item| {
             let (number, shape) = &list.shapes[item as usize];
             if Some(*number) == without { f64::INFINITY } else { shape.distance_to(scope) }
         })

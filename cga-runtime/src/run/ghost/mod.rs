@@ -5,7 +5,6 @@
 //! its default (*CGA and its context*). The shapes of such a derivation are its ghost.
 
 pub(crate) mod body;
-pub(crate) mod box_tree;
 mod label_index;
 mod labelled;
 pub(crate) mod leaf_sink;
