@@ -1,4 +1,4 @@
-//! What users call first: a model in memory, and a GLB file of it, beside copies of the same bytes.
+//! Models in memory, GLB files and meshes of models, which users make first, compared with copies of the same bytes.
 //!
 //! `cargo bench --bench files`; a word after `--` chooses scenes by a part of their name, as in `-- B(4)`.
 

@@ -87,8 +87,8 @@ impl BoundsTree {
         compared
     }
 
-    /// The least value of `measure` over the numbers of all boxes, or `least` if that is less. No value may be less than the distance between
-    /// its box and `query`, but for rounding. So most boxes are not measured: nearer nodes come first. The result is the same for every order of
+    /// The least value of `measure` over the numbers of all boxes, or `least` if that is less. A value may be less than the distance between
+    /// its box and `query` by rounding errors alone. So most boxes are not measured: nearer nodes come first. The result is the same for every order of
     /// the boxes.
     pub fn least(&self, query: &Bounds, mut least: f64, mut measure: impl FnMut(u32) -> f64) -> f64 {
         let (mut open, mut waiting) = ([(0u32, 0.0); MOST_OPEN], 0);

@@ -13,7 +13,7 @@ use crate::trace::Trace;
 /// Edges between points, or points without edges.
 ///
 /// The fields are public, so the caller keeps them consistent: edges have indices of points, and there is one normal for each
-/// edge, or for each point if there are no edges. Methods panic if an end of an edge is not the number of a point.
+/// edge, or for each point if there are no edges. Methods panic if an edge ends at a point that does not exist.
 #[derive(Clone, Debug, Default)]
 pub struct Wire {
     /// The points.

@@ -17,8 +17,8 @@
 //! - `inside`, if all of it is inside or on the surface of one occluder;
 //! - `overlaps`, if a part with an area (a face), a volume (a closed mesh) or a length (a segment) is strictly inside. A closed mesh
 //!   around an occluder overlaps it, too;
-//! - `touches`, if it overlaps or is inside, or if a face is on the surface over an area, whichever way the normals point. Contact
-//!   along a line or in a point is no contact.
+//! - `touches`, if it overlaps or is inside, or if a face is on the surface over an area, whichever way the normals point. Common
+//!   lines and points do not count.
 //!
 //! A place is inside a mesh if the faces wind around it, as for [`boolean`](crate::boolean). So cavities are outside, and solids that
 //! cross themselves have no walls inside.

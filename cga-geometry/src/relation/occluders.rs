@@ -138,7 +138,7 @@ impl Occluders {
         self.count
     }
 
-    /// Returns true if there are no occluders.
+    /// Returns true if the list is empty.
     pub fn is_empty(&self) -> bool {
         self.count == 0
     }

@@ -35,7 +35,7 @@ pub(super) fn relate(geometry: &Surface, occluder: &Surface, tolerance: f64, wan
     Relation::of(!is_outside && !pair.budget.is_spent(), overlaps, contact)
 }
 
-/// What is known about a pair.
+/// The findings about a pair so far.
 struct Known {
     wanted: Relation,
     is_outside: bool,

@@ -59,7 +59,7 @@ impl Uses {
     pub const TREE_KEY: Uses = Uses(1 << 14).and(Uses::SAYS);
     /// A labelled copy of the shape is left for queries: `label`.
     pub const LABELS: Uses = Uses(1 << 15).and(Uses::ASKS);
-    /// What queries of other shapes have in common: place and geometry count, and no derivation with one is replayed.
+    /// The common part of all queries of other shapes: they read the place and the geometry, and a derivation with one is never replayed.
     const ASKS: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
 
     /// The union, in constants.

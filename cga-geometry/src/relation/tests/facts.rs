@@ -128,7 +128,7 @@ fn tiles_of_a_joint_touch_where_the_neighbour_reaches() {
                 };
                 assert_eq!(found, expected, "storey {storey}");
                 counts[usize::from(found.touches) + usize::from(found.inside)] += 1;
-                // On the street, tiles touch nobody but their own block.
+                // Tiles at the street touch their own block alone.
                 let corner =
                     motion.transform_point3(DVec3::new(10.0 + f64::from(2 * bay), f64::from(4 * storey), 10.0));
                 let sides = [DVec3::X * 2.0, DVec3::Y * 4.0].map(|side| motion.matrix3 * side);
