@@ -33,6 +33,8 @@ pub mod output;
 pub(crate) mod query;
 #[doc(hidden)]
 pub mod rt;
+#[doc(hidden)]
+pub mod rt_eval;
 pub mod run;
 pub mod shape;
 pub mod split;

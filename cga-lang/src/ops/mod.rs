@@ -11,6 +11,7 @@ mod choice;
 mod directions;
 mod effects;
 mod functions;
+mod key;
 mod material;
 mod meaning;
 mod operations;

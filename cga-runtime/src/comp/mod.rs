@@ -36,7 +36,7 @@ use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 
 pub use arms::divide;
 pub(crate) use arms::{Arms, face_edges};
-pub(crate) use candidate::Candidate;
+pub use candidate::Candidate;
 pub use candidate::{is_tagged, is_tagged_at};
 pub(crate) use faces::Faces;
 pub(crate) use points::Points;

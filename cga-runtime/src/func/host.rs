@@ -4,6 +4,7 @@ use crate::fault::{Fault, FaultKind};
 use crate::func;
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::value::Value;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
@@ -226,4 +227,15 @@ pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnO
 /// Text for an argument of a Rust function.
 pub fn as_str(text: &Text) -> &str {
     text.as_str()
+}
+
+/// The value of a function that the host program has registered. A value of another type than `other` is a fault, and counts as
+/// `other`.
+pub fn of_type(env: &mut Env, name: &str, value: Value, other: &Value) -> Value {
+    if value.ty() == other.ty() {
+        return value;
+    }
+    let (got, wanted) = (value.ty(), other.ty());
+    env.fault(FaultKind::Value, format!("`{name}` returned {got}, but the rules need {wanted}; it counts as 0 or empty"));
+    other.clone()
 }

@@ -22,7 +22,7 @@ impl Bases {
     }
 
     /// Adds a base at the end.
-    pub(crate) fn keep(&self, base: Base) -> &Base {
+    pub fn keep(&self, base: Base) -> &Base {
         let mut end = self;
         while let Some(entry) = end.0.get() {
             end = &entry.rest;

@@ -1,0 +1,450 @@
+//! Calls of functions that read the run.
+//!
+//! Generated from the tables of `cga-lang`; write it again with `CGA_BLESS=1 cargo test -p cga-lang --test dispatch`.
+
+use crate::dispatch::{FunctionCall, Known as _, words};
+use cga_lang::ir::Expr;
+use cga_runtime::rt::func;
+
+/// The call of a function of this group, by the key of its row.
+pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
+    Some(match key {
+        "abs(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::abs(env, a0);
+            stack.push_float(value);
+        }),
+        "acos(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::acos(env, a0);
+            stack.push_float(value);
+        }),
+        "asin(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::asin(env, a0);
+            stack.push_float(value);
+        }),
+        "asset_info(file, AssetDimension)" => {
+            let a1 = words::func_asset_dimension(known.word(1)?)?;
+            FunctionCall::new(move |stack, env, _| {
+                let a0 = stack.file();
+                let value = func::asset_info(env, a0, a1);
+                stack.push_float(value);
+            })
+        }
+        "asset_metadata_bool(file, text, bool)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.bool();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_bool(env, a0, a1, a2);
+            stack.push_bool(value);
+        }),
+        "asset_metadata_bools(file, text, bools)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.bools();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_bools(env, a0, a1, a2);
+            stack.push_bools(value);
+        }),
+        "asset_metadata_float(file, text, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_float(env, a0, a1, a2);
+            stack.push_float(value);
+        }),
+        "asset_metadata_floats(file, text, floats)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.floats();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_floats(env, a0, a1, a2);
+            stack.push_floats(value);
+        }),
+        "asset_metadata_text(file, text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.text();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_text(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "asset_metadata_texts(file, text, texts)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.texts();
+            let a1 = stack.text();
+            let a0 = stack.file();
+            let value = func::asset_metadata_texts(env, a0, a1, a2);
+            stack.push_texts(value);
+        }),
+        "asset_naming_info(file, AssetNaming)" => {
+            let a1 = words::func_asset_naming(known.word(1)?)?;
+            FunctionCall::new(move |stack, env, _| {
+                let a0 = stack.file();
+                let value = func::asset_naming_info(env, a0, a1);
+                stack.push_text(value);
+            })
+        }
+        "asset_naming_infos(file, AssetNaming)" => {
+            let a1 = words::func_asset_naming(known.word(1)?)?;
+            FunctionCall::new(move |stack, env, _| {
+                let a0 = stack.file();
+                let value = func::asset_naming_infos(env, a0, a1);
+                stack.push_texts(value);
+            })
+        }
+        "atan(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::atan(env, a0);
+            stack.push_float(value);
+        }),
+        "atan2(float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::atan2(env, a0, a1);
+            stack.push_float(value);
+        }),
+        "ceil(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::ceil(env, a0);
+            stack.push_float(value);
+        }),
+        "clamp_each(floats, floats, floats)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.floats();
+            let a1 = stack.floats();
+            let a0 = stack.floats();
+            let value = func::clamp_each(env, a0, a1, a2);
+            stack.push_floats(value);
+        }),
+        "clamp_each(texts, texts, texts)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.texts();
+            let a1 = stack.texts();
+            let a0 = stack.texts();
+            let value = func::clamp_each(env, a0, a1, a2);
+            stack.push_texts(value);
+        }),
+        "color_hex_to_b(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_b(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_g(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_g(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_h(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_h(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_o(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_o(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_r(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_r(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_s(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_s(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hex_to_v(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::color_hex_to_v(env, a0);
+            stack.push_float(value);
+        }),
+        "color_hsv_to_hex(float, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::color_hsv_to_hex(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "color_hsvo_to_hex(float, float, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a3 = stack.float();
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::color_hsvo_to_hex(env, a0, a1, a2, a3);
+            stack.push_text(value);
+        }),
+        "color_ramp(text, float)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.float();
+            let a0 = stack.text();
+            let value = func::color_ramp(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "color_rgb_to_hex(float, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::color_rgb_to_hex(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "color_rgbo_to_hex(float, float, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a3 = stack.float();
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::color_rgbo_to_hex(env, a0, a1, a2, a3);
+            stack.push_text(value);
+        }),
+        "cos(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::cos(env, a0);
+            stack.push_float(value);
+        }),
+        "exp(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::exp(env, a0);
+            stack.push_float(value);
+        }),
+        "file_exists(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::file_exists(env, a0);
+            stack.push_bool(value);
+        }),
+        "file_search(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::file_search(env, a0);
+            stack.push_text(value);
+        }),
+        "files_search(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::files_search(env, a0);
+            stack.push_texts(value);
+        }),
+        "find(text, text, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::find(env, a0, a1, a2);
+            stack.push_float(value);
+        }),
+        "find_near(floats, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.floats();
+            let value = func::find_near(env, a0, a1, a2);
+            stack.push_float(value);
+        }),
+        "floor(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::floor(env, a0);
+            stack.push_float(value);
+        }),
+        "get_tree_key()" => FunctionCall::new(move |stack, env, _| {
+            let value = func::get_tree_key(env);
+            stack.push_text(value);
+        }),
+        "image_info(file, ImageDimension)" => {
+            let a1 = words::func_image_dimension(known.word(1)?)?;
+            FunctionCall::new(move |stack, env, _| {
+                let a0 = stack.file();
+                let value = func::image_info(env, a0, a1);
+                stack.push_float(value);
+            })
+        }
+        "join(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::join(env, a0);
+            stack.push_text(value);
+        }),
+        "list_add(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::list_add(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_from_array(bools)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bools();
+            let value = func::list_from_array(env, a0);
+            stack.push_text(value);
+        }),
+        "list_from_array(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::list_from_array(env, a0);
+            stack.push_text(value);
+        }),
+        "list_from_array(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::list_from_array(env, a0);
+            stack.push_text(value);
+        }),
+        "list_item(text, float)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.float();
+            let a0 = stack.text();
+            let value = func::list_item(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_range(text, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.text();
+            let value = func::list_range(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "list_terminate(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_terminate(env, a0);
+            stack.push_text(value);
+        }),
+        "list_to_array(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_to_array(env, a0);
+            stack.push_texts(value);
+        }),
+        "ln(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::ln(env, a0);
+            stack.push_float(value);
+        }),
+        "log10(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::log10(env, a0);
+            stack.push_float(value);
+        }),
+        "max_each(floats, floats)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.floats();
+            let a0 = stack.floats();
+            let value = func::max_each(env, a0, a1);
+            stack.push_floats(value);
+        }),
+        "max_each(texts, texts)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.texts();
+            let a0 = stack.texts();
+            let value = func::max_each(env, a0, a1);
+            stack.push_texts(value);
+        }),
+        "min_each(floats, floats)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.floats();
+            let a0 = stack.floats();
+            let value = func::min_each(env, a0, a1);
+            stack.push_floats(value);
+        }),
+        "min_each(texts, texts)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.texts();
+            let a0 = stack.texts();
+            let value = func::min_each(env, a0, a1);
+            stack.push_texts(value);
+        }),
+        "pow(float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.float();
+            let a0 = stack.float();
+            let value = func::pow(env, a0, a1);
+            stack.push_float(value);
+        }),
+        "print(bool)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bool();
+            let value = func::print(env, a0);
+            stack.push_bool(value);
+        }),
+        "print(bools)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bools();
+            let value = func::print(env, a0);
+            stack.push_bools(value);
+        }),
+        "print(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::print(env, a0);
+            stack.push_float(value);
+        }),
+        "print(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::print(env, a0);
+            stack.push_floats(value);
+        }),
+        "print(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::print(env, a0);
+            stack.push_text(value);
+        }),
+        "print(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::print(env, a0);
+            stack.push_texts(value);
+        }),
+        "read_float_table(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::read_float_table(env, a0);
+            stack.push_floats(value);
+        }),
+        "read_material(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::read_material(env, a0);
+            stack.push_texts(value);
+        }),
+        "read_string_table(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::read_string_table(env, a0);
+            stack.push_texts(value);
+        }),
+        "read_text_file(file)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.file();
+            let value = func::read_text_file(env, a0);
+            stack.push_text(value);
+        }),
+        "replace(text, text, bool)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.bool();
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::replace(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "replace(text, text, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::replace(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "replace(text, text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.text();
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::replace(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "rint(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::rint(env, a0);
+            stack.push_float(value);
+        }),
+        "sin(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::sin(env, a0);
+            stack.push_float(value);
+        }),
+        "split_string(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::split_string(env, a0, a1);
+            stack.push_texts(value);
+        }),
+        "sqrt(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::sqrt(env, a0);
+            stack.push_float(value);
+        }),
+        "substring(text, float, float)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.float();
+            let a1 = stack.float();
+            let a0 = stack.text();
+            let value = func::substring(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "tan(float)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.float();
+            let value = func::tan(env, a0);
+            stack.push_float(value);
+        }),
+        "texts_from_floats(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::texts_from_floats(env, a0);
+            stack.push_texts(value);
+        }),
+        _ => return None,
+    })
+}

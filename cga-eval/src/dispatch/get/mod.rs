@@ -1,0 +1,4 @@
+//! Reads of attributes of shapes.
+
+pub(super) mod material;
+pub(super) mod shape;
