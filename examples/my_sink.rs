@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use cga::glam::DAffine3;
-use cga::{Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, cga};
+use cga::{Flow, Leaf, Mesh, Quad, Settings, Shape, Sink, Text, cga};
 
 cga! {
     /// Walls with windows.
@@ -25,12 +25,12 @@ cga! {
 /// The square metres and the number of leaves by rule.
 #[derive(Debug, Default)]
 struct Surfaces {
-    by_rule: BTreeMap<&'static str, (f64, usize)>,
+    by_rule: BTreeMap<Text, (f64, usize)>,
 }
 
 impl Surfaces {
     fn add(&mut self, leaf: &Leaf<'_>, area: f64) -> Flow {
-        let sum = self.by_rule.entry(leaf.rule).or_default();
+        let sum = self.by_rule.entry(leaf.rule.clone()).or_default();
         *sum = (sum.0 + area, sum.1 + 1);
         // `ControlFlow::Break(())` would end the run.
         ControlFlow::Continue(())

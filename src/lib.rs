@@ -34,9 +34,7 @@ pub use cga_runtime::geometry::{Axis, Frame};
 /// The vector types in meshes and sinks.
 pub use cga_runtime::glam;
 pub use cga_runtime::grammar::Grammar;
-pub use cga_runtime::grammar::attribute::{
-    Attribute, AttributeDefault, AttributeError, AttributeKind, ChoiceValues, Choices, Range,
-};
+pub use cga_runtime::grammar::attribute::{Attribute, AttributeError, AttributeKind, ChoiceValues, Choices, Range};
 /// ```
 /// use cga::{Error, Grammars, Settings, Shape, cga};
 ///

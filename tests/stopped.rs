@@ -1,15 +1,15 @@
 //! Rules and shapes for the test and the bench of stopped runs.
 
-use cga::{Grammar as _, MeshBuilder, Shape};
+use cga::{Grammar as _, MeshBuilder, Shape, Text};
 
 cga::cga! {
     pub grammar Every in "rules/one_operation.cga";
 }
 
 /// The names of the rules that have an operation each.
-pub fn rules() -> Vec<&'static str> {
+pub fn rules() -> Vec<Text> {
     let every = Every::default();
-    every.start_rules().iter().map(|rule| rule.name).filter(|name| name.starts_with('R')).collect()
+    every.start_rules().iter().map(|rule| rule.name.clone()).filter(|name| name.starts_with('R')).collect()
 }
 
 /// The number of corners of a shape.

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::value::shown::shown;
+use crate::value::text::Text;
 
 /// The kinds of faults.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -36,7 +37,7 @@ pub struct Fault {
     /// The number of occurrences: a missing file is reported once.
     pub count: u64,
     /// The rules that led to the first occurrence, from the start rule down.
-    pub trail: Vec<&'static str>,
+    pub trail: Vec<Text>,
 }
 
 impl Fault {
@@ -109,26 +110,26 @@ pub enum Error {
         /// The limit.
         limit: u64,
         /// The rules that led there, from the start rule down.
-        trail: Vec<&'static str>,
+        trail: Vec<Text>,
     },
     /// An attribute's value is refused.
     Attribute {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
         /// The reason.
         message: String,
     },
     /// Attributes and constants need each other, and no condition keeps the run from closing the cycle.
     Cycle {
         /// The names of the cycle, each before one that it needs. The last one needs the first.
-        names: Vec<&'static str>,
+        names: Vec<Text>,
     },
     /// No start rule has that name.
     StartRule {
         /// The requested name.
         name: String,
         /// The names of the start rules, without hidden ones.
-        known: Vec<&'static str>,
+        known: Vec<Text>,
     },
     /// An attribute, the start rule or the grammar of a lot is wrong, and
     /// [`Settings::wrong_lots`](crate::run::settings::Settings::wrong_lots) makes this an error.
@@ -175,7 +176,7 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {}
 
 /// Writes each attribute of a cycle before the one that it needs; of a long cycle the beginning.
-fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[&'static str]) -> fmt::Result {
+fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[Text]) -> fmt::Result {
     const NAMED: usize = 12;
     let Some(first) = names.first() else { return f.write_str("an attribute needs its own value") };
     write!(f, "`{first}` needs its own value")?;
@@ -191,7 +192,7 @@ fn write_cycle(f: &mut fmt::Formatter<'_>, names: &[&'static str]) -> fmt::Resul
 }
 
 /// Writes a trail. Long trails are recursion, so their beginning and end are enough.
-fn write_trail(f: &mut fmt::Formatter<'_>, trail: &[&'static str]) -> fmt::Result {
+fn write_trail(f: &mut fmt::Formatter<'_>, trail: &[Text]) -> fmt::Result {
     const ENDS: usize = 6;
     if trail.is_empty() {
         return Ok(());

@@ -4,6 +4,7 @@
 
 pub use std::boxed::Box;
 pub use std::string::String;
+pub use std::sync::LazyLock;
 pub use std::vec::Vec;
 
 pub use crate::asset::{File, Files};
@@ -15,7 +16,7 @@ pub use crate::fault::Error;
 pub use crate::func::{host, later};
 pub use crate::geometry::Axis;
 pub use crate::geometry::mesh::{TextureSpace, UvAxis};
-pub use crate::grammar::attribute::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range, check};
+pub use crate::grammar::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
 pub use crate::grammar::session::{DynSession, Session, generate, generate_from, run, used_values};
@@ -29,7 +30,7 @@ pub use crate::run::context::{Cx, MaterialCx};
 pub use crate::run::env::Env;
 pub use crate::run::operand::operand;
 pub use crate::run::report::Report;
-pub use crate::run::rules::{Compiled, Rules};
+pub use crate::run::rules::{Checked, RuleTables, Rules, entries, list, names, texts};
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;
@@ -44,9 +45,9 @@ pub use crate::split::division::{Division, Made, Slot};
 pub use crate::split::row::{Pattern, Row};
 pub use crate::split::walk::{Split, Successor, split, split_area, split_solved, split_texture};
 pub use crate::split::{Adjust, Item, Piece, Size, solve};
-pub use crate::value::Value;
 pub use crate::value::array::Array;
 pub use crate::value::text::Text;
+pub use crate::value::{Value, ValueType};
 
 /// Operations of the language.
 pub mod op {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cga::glam::{DAffine3, DMat3, DVec3};
 use cga::mesh::{FaceRef, FaceTag};
-use cga::{Color, Cuboid, Leaf, Material, Mesh, MeshBuilder, Model, Scope, Sink};
+use cga::{Color, Cuboid, Leaf, Material, Mesh, MeshBuilder, Model, Scope, Sink, Text};
 
 pub(crate) type Paint = [f64; 3];
 
@@ -58,7 +58,7 @@ impl Pen {
     pub(crate) fn mesh(&mut self, mesh: &Arc<Mesh>, paint: Paint, by: DVec3) {
         let place = DAffine3::from_translation(by);
         let scope = Scope { origin: by, axes: DMat3::IDENTITY, size: mesh.bounds().size() };
-        let _ = self.model.mesh(&Leaf::new("Mesh", &material(paint), &scope), mesh, &place);
+        let _ = self.model.mesh(&Leaf::new(&Text::fixed("Mesh"), &material(paint), &scope), mesh, &place);
     }
 
     /// Some faces of a mesh, moved.
@@ -123,7 +123,8 @@ impl Pen {
 
     fn cuboid(&mut self, origin: DVec3, edges: DMat3, paint: Paint) {
         let scope = Scope { origin, axes: DMat3::IDENTITY, size: DVec3::ONE };
-        let _ = self.model.cuboid(&Leaf::new("Mark", &material(paint), &scope), &Cuboid::new(origin, edges));
+        let _ =
+            self.model.cuboid(&Leaf::new(&Text::fixed("Mark"), &material(paint), &scope), &Cuboid::new(origin, edges));
     }
 }
 

@@ -52,11 +52,11 @@ fn run(rule: &str, shape: &Shape, last: u64) -> (Questions, Instant) {
 fn main() {
     let asked: Vec<String> = std::env::args().skip(1).filter(|arg| arg.starts_with('R')).collect();
     let mut rows = Vec::new();
-    for rule in rules().into_iter().filter(|rule| asked.is_empty() || asked.iter().any(|name| name == rule)) {
+    for rule in rules().into_iter().filter(|rule| asked.is_empty() || asked.iter().any(|name| rule.is(name))) {
         let times = shapes().map(|shape| {
             let start = Instant::now();
-            let (questions, end) = run(rule, &shape, u64::MAX);
-            let (stopped, returned) = run(rule, &shape, questions.longest.1.saturating_sub(1));
+            let (questions, end) = run(&rule, &shape, u64::MAX);
+            let (stopped, returned) = run(&rule, &shape, questions.longest.1.saturating_sub(1));
             [(returned - stopped.last).as_secs_f64() * 1e3, (end - start).as_secs_f64() * 1e3]
         });
         rows.push((times.map(|time| time[0]), times.map(|time| time[1]).into_iter().fold(0.0, f64::max), rule));
@@ -69,7 +69,7 @@ fn main() {
     table.note(&format!("{slow} of {} rules need more than 50 ms; the slowest rules:", rows.len()));
     for (times, whole, rule) in rows.into_iter().take(PRINTED) {
         let cells: Vec<String> = times.into_iter().chain([whole]).map(|time| number(time, 1)).collect();
-        table.row(rule, &cells);
+        table.row(&rule, &cells);
     }
     table.print();
 }

@@ -119,12 +119,12 @@ fn changed(scene: &mut Scene, name: &str, value: Value) -> Result<Model, Error> 
 
 /// The values to try for an attribute: the ends of its range, all choices, or values unlike the default.
 fn values(attribute: &Attribute) -> Vec<Value> {
-    let texts = |texts: &[&'static str]| texts.iter().map(|&text| Value::Text(text.into())).collect();
-    match (attribute.range, attribute.choices.map(|choices| choices.values), attribute.ty()) {
+    let texts = |texts: &[cga::Text]| texts.iter().map(|text| Value::Text(text.clone())).collect();
+    match (attribute.range, attribute.choices.as_ref().map(|choices| &choices.values), attribute.ty) {
         (Some(range), ..) => vec![Value::Float(range.min), Value::Float(range.max)],
         (None, Some(ChoiceValues::Texts(choices)), _) => texts(choices),
         (None, None, ValueType::Bool) => vec![Value::Bool(true), Value::Bool(false)],
-        (None, None, ValueType::Text) => texts(&["#123456"]),
+        (None, None, ValueType::Text) => texts(&["#123456".into()]),
         _ => panic!("{} has neither a range nor choices", attribute.name),
     }
 }
@@ -150,8 +150,8 @@ fn attributes_of_the_other_scenes_work_too() {
 fn attributes_work(half: usize) {
     for mut scene in scenes().into_iter().skip(half).step_by(2) {
         let before = model(&scene);
-        for attribute in scene.grammar.attributes() {
-            let name = attribute.name;
+        for attribute in &scene.grammar.attributes().to_vec() {
+            let name = attribute.name.as_str();
             assert!(!attribute.group.is_empty(), "{}: {name} has no group", scene.name);
             let mut differs = false;
             for value in values(attribute) {

@@ -256,7 +256,8 @@ fn own_with(start: &str, kind: usize) -> Vec<String> {
 fn own(start: &str) -> (Vec<String>, Vec<(&'static str, usize)>) {
     let model = Own::default().generate_from(start, &Shape::rectangle(8.0, 6.0)).expect("a model");
     assert!(model.faults().is_empty(), "{:?}", model.faults());
-    (model.prints().iter().map(ToString::to_string).collect(), model.counts())
+    let counts = model.counts().into_iter().map(|(rule, count)| (&*rule.to_owned().leak(), count)).collect();
+    (model.prints().iter().map(ToString::to_string).collect(), counts)
 }
 
 /// "Auto-tags applied by a certain operation remain accessible until the operation is called again."

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cga::{Color, Geometry, Leaf, Material, Model, Quad, Scope, Sink};
+use cga::{Color, Geometry, Leaf, Material, Model, Quad, Scope, Sink, Text};
 
 use super::captions::SCOPE;
 
@@ -26,7 +26,7 @@ pub fn with_scopes(model: &Model, width: f64) -> Model {
             let inwards = (next - to).normalize_or_zero() * width;
             let strip = Quad::new(from + lift, to - from, inwards);
             let scope = Scope { origin: strip.origin, ..leaf.scope() };
-            let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
+            let _ = out.quad(&Leaf::new(&Text::fixed("Edge"), &material, &scope), &strip);
         }
     }
     out

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cga::glam::{DAffine3, DMat3, DVec3};
 use cga::mesh::Bounds;
-use cga::{Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Shape, Sink};
+use cga::{Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Shape, Sink, Text};
 
 use crate::pages::example::{Example, Mark};
 
@@ -126,13 +126,13 @@ impl Pen {
         let scope = Scope { origin: frame.to_world(low), axes: frame.axes, size };
         let cuboid = Cuboid::new(scope.origin, scope.axes * DMat3::from_diagonal(size));
         let material = paint(color);
-        let _ = self.out.cuboid(&Leaf::new("Mark", &material, &scope), &cuboid);
+        let _ = self.out.cuboid(&Leaf::new(&Text::fixed("Mark"), &material, &scope), &cuboid);
     }
 
     fn mesh(&mut self, mesh: Arc<Mesh>, color: [f64; 3], place: &DAffine3) {
         let material = paint(color);
         let scope = Scope { origin: place.translation, axes: place.matrix3, size: mesh.bounds().size() };
-        let _ = self.out.mesh(&Leaf::new("Mark", &material, &scope), &mesh, place);
+        let _ = self.out.mesh(&Leaf::new(&Text::fixed("Mark"), &material, &scope), &mesh, place);
     }
 }
 

@@ -23,8 +23,8 @@ pub fn markdown(scenes: &[(Scene, Model)]) -> String {
         let _ = writeln!(text, "{parts} parts, {triangles} triangles.\n");
         text.push_str("| attribute | default | range | meaning |\n|---|---|---|---|\n");
         for attribute in ordered(scene.grammar.attributes()) {
-            let default = scene.grammar.get(attribute.name).map_or("random".to_owned(), |value| format!("`{value}`"));
-            let (name, about) = (attribute.name, attribute.about.replace('\n', " "));
+            let default = scene.grammar.get(&attribute.name).map_or("random".to_owned(), |value| format!("`{value}`"));
+            let (name, about) = (&attribute.name, attribute.about.replace('\n', " "));
             let _ = writeln!(text, "| `{name}` | {default} | {} | {about} |", limits(attribute));
         }
         let _ = write!(text, "\n```text\n{}\n```\n", scene.rules);
@@ -65,7 +65,7 @@ fn ordered(attributes: &[Attribute]) -> Vec<&Attribute> {
 
 /// The values that an attribute may have.
 fn limits(attribute: &Attribute) -> String {
-    match (attribute.range, attribute.choices.map(|choices| choices.values)) {
+    match (attribute.range, attribute.choices.as_ref().map(|choices| &choices.values)) {
         (Some(range), _) => format!("{} to {}", range.min, range.max),
         (None, Some(ChoiceValues::Texts(texts))) => texts.join(", "),
         _ => String::new(),

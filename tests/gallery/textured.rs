@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cga::glam::DVec3;
 use cga::mesh::Bounds;
 use cga::sink::picture::Camera;
-use cga::{Color, Leaf, Material, Model, Quad, Scope, Settings, Shape, Sink};
+use cga::{Color, Leaf, Material, Model, Quad, Scope, Settings, Shape, Sink, Text};
 
 use super::cell::Cell;
 use crate::pages::example::Example;
@@ -96,7 +96,7 @@ fn outlined(model: &Model, width: f64) -> Model {
                 let (along, lift) = (*to - *from, normal * width);
                 let strip = Quad::new(*from + 0.2 * lift, along, normal.cross(along.normalize_or_zero()) * width);
                 let scope = Scope { origin: strip.origin, ..leaf.scope() };
-                let _ = out.quad(&Leaf::new("Edge", &material, &scope), &strip);
+                let _ = out.quad(&Leaf::new(&Text::fixed("Edge"), &material, &scope), &strip);
             }
         }
     }

@@ -19,12 +19,12 @@ use cga::split::{Item, Piece, Prefix, Size, Solution};
 use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
 use cga::texture::{SetMap, UvMap};
 use cga::{
-    Array, AssetError, Assets, Attribute, AttributeDefault, AttributeError, AttributeKind, Axis, Batch, Batches,
-    Building, Channel, ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault,
-    FaultKind, Flow, Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material,
-    MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary,
-    Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
+    Array, AssetError, Assets, Attribute, AttributeError, Axis, Batch, Batches, Building, Channel, ChoiceValues,
+    Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, Flow, Frame, Geometry,
+    Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Material, MaterialNumber, MaterialText,
+    Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports, RunError, Scene, Scope,
+    Session, Settings, Shape, ShapeNode, ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType,
+    Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
@@ -51,14 +51,14 @@ macro_rules! each {
 
 #[test]
 fn public_types_have_the_common_traits() {
-    each!(data: Array<f64>, Attribute, AttributeDefault, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
+    each!(data: Array<f64>, Attribute, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
     each!(data: Collection, Color, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
     each!(data: Axes, ColorOf, Cuboid, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);
     each!(data: Camera, Image, Limits, Picture, Projection, Style, Svg, Viewpoint);
     each!(data: Centerline, Network, NetworkOptions, NetworkPart, Item, Piece, Prefix, Size);
-    each!(choice: AttributeKind, Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);
+    each!(choice: Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);
     each!(choice: MaterialNumber, MaterialText, PartId, Side, UvAxis, ValueType, WrongLots);
     each!(error: AssetError, AttributeError, Error, Fault, GltfError, MeshError, ObjError, RunError, StreetError);
     // The error of a writer can be neither copied nor compared.

@@ -1,6 +1,6 @@
 //! Grammars as values: attributes, start rules, limits, random choices.
 
-use cga::{Attribute, AttributeDefault, Error, Grammar, LimitKind, Limits, Model, Range, Settings, Shape, Sink, cga};
+use cga::{Attribute, Error, Grammar, LimitKind, Limits, Model, Range, Settings, Shape, Sink, ValueType, cga};
 
 fn lot() -> Shape {
     Shape::rectangle(10.0, 10.0)
@@ -47,25 +47,25 @@ fn attributes_are_fields_and_a_table() {
     assert_eq!((house.height, house.depth, house.lit, house.storeys), (12.0, 0.2, false, None));
     assert_eq!((house.colour.as_str(), &house.label), ("#ff0000", &None));
     let table = house.attributes();
-    let height = Attribute::new("height", AttributeDefault::Float(Some(12.0)))
+    let height = Attribute::new("height", 12.0)
         .range(Range::new(3.0, 60.0, 0.5, true))
-        .group(&["Size", "Main"])
+        .group(["Size", "Main"])
         .about("Height in metres.")
         .order(2.0);
     // A group goes on until the next one.
-    let depth = Attribute::new("depth", AttributeDefault::Float(Some(0.2)))
+    let depth = Attribute::new("depth", 0.2)
         .range(Range::new(0.0, 1.0, 0.0, false))
-        .group(&["Size", "Main"])
+        .group(["Size", "Main"])
         .about("How deep the windows lie.");
     assert_eq!(table[..2], [height, depth]);
-    let rest = table[2..].iter().map(|row| (row.name, row.default, row.hidden));
+    let rest = table[2..].iter().map(|row| (row.name.as_str(), row.ty, row.default.clone(), row.hidden));
     assert_eq!(
         rest.collect::<Vec<_>>(),
         [
-            ("colour", AttributeDefault::Text(Some("#ff0000")), false),
-            ("lit", AttributeDefault::Bool(Some(false)), true),
-            ("storeys", AttributeDefault::Float(None), false),
-            ("label", AttributeDefault::Text(None), false),
+            ("colour", ValueType::Text, Some("#ff0000".into()), false),
+            ("lit", ValueType::Bool, Some(false.into()), true),
+            ("storeys", ValueType::Float, None, false),
+            ("label", ValueType::Text, None, false),
         ]
     );
 }
@@ -102,7 +102,10 @@ fn a_restricted_range_is_checked_when_a_run_begins() {
     assert!(run(60.0, 5.0).is_ok());
     for wrong in [2.0, 61.0, f64::NAN, f64::INFINITY] {
         let error = run(wrong, 0.2).expect_err("out of range");
-        assert_eq!(error, Error::Attribute { name: "height", message: format!("{wrong} is outside of 3 to 60") });
+        assert_eq!(
+            error,
+            Error::Attribute { name: "height".into(), message: format!("{wrong} is outside of 3 to 60") }
+        );
     }
 }
 
@@ -122,7 +125,7 @@ fn a_program_can_choose_among_grammars() {
 #[test]
 fn runs_start_where_they_are_told_to() {
     let house = House::default();
-    let starts = house.start_rules().iter().map(|start| (start.name, start.marked, start.hidden));
+    let starts = house.start_rules().iter().map(|start| (start.name.as_str(), start.marked, start.hidden));
     assert_eq!(starts.collect::<Vec<_>>(), [("Lot", true, false), ("Storey", false, false), ("Other", false, false)]);
     assert_eq!(house.generate_from("Other", &lot()).expect("no limit").len(), 2);
     let error = house.generate_from("Named", &lot()).expect_err("it has a parameter");
@@ -136,7 +139,7 @@ fn a_limit_ends_a_run_with_the_trail() {
     let rules = cga! { Lot --> extrude(10) split(y) { { 0.1 : Slab }* } Slab --> split(x) { { 0.1 : Tile. }* } };
     let limits = Limits { shapes: 500, ..Limits::default() };
     let error = rules.generate_with(&lot(), &only(limits)).expect_err("too many");
-    assert_eq!(error, Error::Limit { what: LimitKind::Shapes, limit: 500, trail: vec!["Lot", "Slab"] });
+    assert_eq!(error, Error::Limit { what: LimitKind::Shapes, limit: 500, trail: vec!["Lot".into(), "Slab".into()] });
     assert_eq!(rules.generate(&lot()).expect("10000 tiles").len(), 10_000);
 }
 

@@ -196,7 +196,7 @@ mod operations {
         let model = rules.generate(&lot()).expect("faults end no run");
         assert_eq!(names(&model), ["A", "B", "C"]);
         let [fault] = model.faults() else { panic!("{:?}", model.faults()) };
-        assert_eq!((fault.kind, fault.trail.as_slice()), (FaultKind::Host, ["Lot", "Upper"].as_slice()));
+        assert_eq!((fault.kind, fault.trail.join(" ")), (FaultKind::Host, "Lot Upper".to_owned()));
         assert_eq!(fault.to_string(), "no colour `mauve` (in Lot > Upper)");
     }
 
@@ -205,7 +205,7 @@ mod operations {
         let model = Operations::default().generate_from("Broken", &lot()).expect("faults end no run");
         assert_eq!(model.leaves().next().expect("a leaf").size().to_array(), [1.0, 2.0, 3.0]);
         let [fault] = model.faults() else { panic!("{:?}", model.faults()) };
-        assert_eq!((fault.kind, fault.trail.as_slice()), (FaultKind::Value, ["Broken"].as_slice()));
+        assert_eq!((fault.kind, fault.trail.join(" ")), (FaultKind::Value, "Broken".to_owned()));
     }
 }
 

@@ -54,7 +54,7 @@ fn one_that_needs_itself_is_a_cycle_too() {
     cga! { grammar Alone = "attr n = 1  attr a = case n > 1 : a + 1 else : 2  Lot --> print(a)"; }
     assert_eq!(lines(&model(&Alone::default())), ["2"]);
     let closed = Alone { n: 2.0, ..Alone::default() }.generate(&lot()).unwrap_err();
-    assert_eq!(closed, Error::Cycle { names: vec!["a"] });
+    assert_eq!(closed, Error::Cycle { names: vec!["a".into()] });
     assert_eq!(closed.to_string(), "`a` needs its own value: set it, or change the conditions that lead there");
 }
 

@@ -55,7 +55,10 @@ fn every_way_to_run_knows_the_values() {
     let _ = house.generate_all(&[own.clone(), own.clone()], &settings).unwrap().replay(&mut sink);
     assert_eq!(volume(sink), 4.0 * 1250.0);
     let used = house.used_values(&own, &settings).unwrap();
-    assert!(used.contains(&("height", Value::Float(12.5))) && used.contains(&("roof", Value::Float(6.25))), "{used:?}");
+    assert!(
+        used.contains(&("height".into(), Value::Float(12.5))) && used.contains(&("roof".into(), Value::Float(6.25))),
+        "{used:?}"
+    );
 }
 
 #[test]
@@ -290,10 +293,10 @@ fn a_grammar_that_only_runs_knows_lots_too() {
         fn name(&self) -> &'static str {
             "Host"
         }
-        fn attributes(&self) -> &'static [cga::Attribute] {
+        fn attributes(&self) -> &[cga::Attribute] {
             self.0.attributes()
         }
-        fn start_rules(&self) -> &'static [cga::StartRule] {
+        fn start_rules(&self) -> &[cga::StartRule] {
             self.0.start_rules()
         }
         fn attribute_get(&self, index: usize) -> Option<Value> {
@@ -308,7 +311,7 @@ fn a_grammar_that_only_runs_knows_lots_too() {
         fn boxed(&self) -> Box<dyn Grammar + Send + Sync> {
             Box::new(self.clone())
         }
-        fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(&'static str, Value)>, Error> {
+        fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(cga::Text, Value)>, Error> {
             self.0.used_values(shape, settings)
         }
         fn run(&self, _: &Shape, settings: &Settings, sink: &mut dyn cga::Sink) -> Result<cga::Report, Error> {

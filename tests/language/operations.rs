@@ -16,7 +16,7 @@ fn every_operation_runs() {
     let every = every::Every::default();
     let limits = Limits { vertices: 20_000, ..Limits::default() };
     for rule in every.start_rules() {
-        let settings = Settings { start: Some(rule.name.to_owned()), limits, ..Settings::default() };
+        let settings = Settings { start: Some(rule.name.to_string()), limits, ..Settings::default() };
         match every.generate_with(&Shape::rectangle(10.0, 8.0), &settings) {
             Ok(model) => assert!(model.leaves().all(|leaf| leaf.area().is_finite()), "{}", rule.name),
             Err(error) => assert!(matches!(error, Error::Limit { .. }), "{}: {error}", rule.name),

@@ -81,17 +81,17 @@ fn panel(grammar: &dyn Grammar) -> String {
 fn group(grammar: &dyn Grammar, out: &mut String, list: &[&Attribute], depth: usize) {
     let (own, inner): (Vec<&Attribute>, Vec<&Attribute>) = list.iter().partition(|it| it.group.len() == depth);
     for attribute in by_order(own) {
-        let name = if attribute.display_name.is_empty() { attribute.name } else { attribute.display_name };
+        let name = if attribute.display_name.is_empty() { &attribute.name } else { &attribute.display_name };
         let value =
-            grammar.get(attribute.name).map_or("(computed)".into(), |value| value.to_string().replace('\n', " "));
+            grammar.get(&attribute.name).map_or("(computed)".into(), |value| value.to_string().replace('\n', " "));
         let about = if attribute.about.is_empty() { String::new() } else { format!(" -- {}", attribute.about) };
         writeln!(out, "{}{name}: {}{}{about}", "  ".repeat(depth), value, control(grammar, attribute)).unwrap();
     }
     let mut groups: Vec<(&str, Vec<&Attribute>)> = Vec::new();
     for attribute in inner {
-        match groups.iter_mut().find(|(name, _)| *name == attribute.group[depth]) {
+        match groups.iter_mut().find(|(name, _)| attribute.group[depth].is(name)) {
             Some((_, list)) => list.push(attribute),
-            None => groups.push((attribute.group[depth], vec![attribute])),
+            None => groups.push((&attribute.group[depth], vec![attribute])),
         }
     }
     // The number belongs to the innermost group.
@@ -108,7 +108,7 @@ fn group(grammar: &dyn Grammar, out: &mut String, list: &[&Attribute], depth: us
 
 /// The control that shows and changes an attribute.
 fn control(grammar: &dyn Grammar, attribute: &Attribute) -> String {
-    let mut out = match attribute.kind {
+    let mut out = match &attribute.kind {
         AttributeKind::Plain => String::new(),
         AttributeKind::Color => " colour".into(),
         AttributeKind::File(endings) => format!(" file {}", endings.join("|")),
@@ -123,11 +123,11 @@ fn control(grammar: &dyn Grammar, attribute: &Attribute) -> String {
         let free = if range.restricted { "" } else { " or any" };
         write!(out, " {}..{} by {}{free}", range.min, range.max, range.step).unwrap();
     }
-    if let Some(choices) = attribute.choices {
+    if let Some(choices) = &attribute.choices {
         let values: Vec<String> =
             choices.of(grammar).unwrap_or_default().iter().map(|value| value.to_string()).collect();
         let from =
-            if let ChoiceValues::Attribute(name) = choices.values { format!(" ({name})") } else { String::new() };
+            if let ChoiceValues::Attribute(name) = &choices.values { format!(" ({name})") } else { String::new() };
         let labels =
             if choices.labels.is_empty() { String::new() } else { format!(" as {}", choices.labels.join("|")) };
         write!(out, " one of {}{labels}{from}", values.join("|")).unwrap();
@@ -232,7 +232,7 @@ fn a_run_checks_what_the_fields_hold() {
         (|house| house.dormers = 2.0, "dormers", "`2` is not one of 1, 3, 9"),
     ];
     for (change, name, message) in refused {
-        assert_eq!(run(change), Err(Error::Attribute { name, message: message.into() }));
+        assert_eq!(run(change), Err(Error::Attribute { name: name.into(), message: message.into() }));
     }
     // Values that rules compute or set are not checked.
     cga! { grammar Sets = "@Range(min = 0, max = 1) attr a = scope.sx  @Enum(1, 2) attr b = 1  Lot --> set(b, 7) print(a + b) X."; }
@@ -242,7 +242,8 @@ fn a_run_checks_what_the_fields_hold() {
 #[test]
 fn a_run_can_start_with_a_hidden_rule_though_nobody_offers_it() {
     let house = House::default();
-    let hidden: Vec<&str> = house.start_rules().iter().filter(|start| start.hidden).map(|start| start.name).collect();
+    let hidden: Vec<&str> =
+        house.start_rules().iter().filter(|start| start.hidden).map(|start| start.name.as_str()).collect();
     assert_eq!(hidden, ["Debug"]);
     let model = house.generate_from("Debug", &Shape::rectangle(1.0, 1.0)).expect("a model");
     assert_eq!(model.prints()[0].to_string(), "debug");
@@ -264,22 +265,23 @@ fn attributes_of_imports_are_in_the_table_with_what_they_say() {
         "#;
     }
     let mut rules = Importing::default();
-    let table: Vec<(&str, &[&str], bool)> =
-        rules.attributes().iter().map(|row| (row.name, row.group, row.hidden)).collect();
+    let table: Vec<(&str, String, bool)> =
+        rules.attributes().iter().map(|row| (row.name.as_str(), row.group.join("/"), row.hidden)).collect();
     assert_eq!(
         table,
         [
-            ("mine", ["Own"].as_slice(), false),
-            ("annotated.height", &["Own"], false),
-            ("annotated.colour", &["Look"], false),
-            ("annotated.colours", &["Look"], true),
-            ("some.height", &["Own"], true),
-            ("some.colour", &["Look"], false),
-            ("some.colours", &["Look"], true),
-            ("none.height", &["Own"], true),
-            ("none.colour", &["Look"], true),
-            ("none.colours", &["Look"], true),
+            ("mine", "Own", false),
+            ("annotated.height", "Own", false),
+            ("annotated.colour", "Look", false),
+            ("annotated.colours", "Look", true),
+            ("some.height", "Own", true),
+            ("some.colour", "Look", false),
+            ("some.colours", "Look", true),
+            ("none.height", "Own", true),
+            ("none.colour", "Look", true),
+            ("none.colours", "Look", true),
         ]
+        .map(|(name, group, hidden)| (name, group.to_owned(), hidden))
     );
     let range = rules.attributes()[1].range.expect("a range");
     assert_eq!((range.min, range.max), (1.0, 5.0));

@@ -95,7 +95,7 @@ fn calls_that_wait_keep_their_depth() {
     let model = clean(Recursive::default().generate_with(&lot(), &settings).expect("a model"));
     let expected: Vec<String> = (0..3000).flat_map(|level| [level; 3]).map(|level: u32| level.to_string()).collect();
     assert_eq!(lines(&model), expected);
-    assert!(model.prints().iter().all(|line| ["Down", "Side"].contains(&line.rule)));
+    assert!(model.prints().iter().all(|line| ["Down", "Side"].contains(&line.rule.as_str())));
 }
 
 #[test]

@@ -39,7 +39,7 @@ fn values_print_as_they_are() {
         Part(x) --> print(x == "first") NIL
     };
     let model = rules.generate(&lot()).expect("no limit");
-    let lines: Vec<_> = model.prints().iter().map(|line| (line.rule, line.to_string())).collect();
+    let lines: Vec<_> = model.prints().iter().map(|line| (line.rule.to_string(), line.to_string())).collect();
     let expected = [
         ("", "first"),
         ("Lot", "x = (3)[0,1,2]"),
@@ -48,7 +48,7 @@ fn values_print_as_they_are() {
         ("Lot", "2.5"),
         ("Part", "true"),
     ];
-    assert_eq!(lines, expected.map(|(rule, line)| (rule, line.to_owned())));
+    assert_eq!(lines, expected.map(|(rule, line)| (rule.to_owned(), line.to_owned())));
 }
 
 #[test]

@@ -61,7 +61,7 @@ fn angles_of_faces() {
 fn what_is_printed_keeps_its_value_and_the_rule() {
     cga! { grammar Printing = r#"attr a = print(scope.sx)  Lot --> print(print(1) + 1) B  B --> print("b") X."#; }
     let model = model(&Printing::default());
-    let said: Vec<(&str, Value)> = model.prints().iter().map(|line| (line.rule, line.value.clone())).collect();
+    let said: Vec<(&str, Value)> = model.prints().iter().map(|line| (line.rule.as_str(), line.value.clone())).collect();
     assert_eq!(said, [("", 2.0.into()), ("Lot", 1.0.into()), ("Lot", 2.0.into()), ("B", "b".into())]);
 }
 

@@ -398,7 +398,8 @@ fn leaves_outside_of_buildings_have_no_node() {
     cga! { grammar Plain; Lot --> X. }
     let settings = with_tree();
     let (material, scope) = (std::sync::Arc::default(), *Shape::cuboid(1.0, 1.0, 1.0).scope());
-    let by_hand = Leaf::new("ByHand", &material, &scope);
+    let name = cga::Text::fixed("ByHand");
+    let by_hand = Leaf::new(&name, &material, &scope);
     let mut model = Model::new();
     let _ = model.placement(&by_hand);
     Plain::default().run(&lot(), &settings, &mut model).expect("a report");

@@ -211,7 +211,7 @@ mod values {
         assert_eq!(sources[0].attributes(), sources[2].attributes());
         assert!(sources[0].start_rules().iter().any(|start| start.name == "Odd$Lot"));
         for start in sources[0].start_rules() {
-            let settings = cga::Settings { start: Some(start.name.into()), ..cga::Settings::default() };
+            let settings = cga::Settings { start: Some(start.name.to_string()), ..cga::Settings::default() };
             let models = sources.map(|source| source.generate_with(&lot(3), &settings).expect("no limit"));
             let [one, two, three] = models.each_ref().map(|model| {
                 assert_eq!(model.faults(), []);

@@ -16,7 +16,7 @@ fn leaves_are_finite_for_every_operation_on_every_size() {
     for rule in rules() {
         for [width, depth] in SIZES {
             let watch = Some(stopping::after(QUESTIONS));
-            let settings = Settings { start: Some(rule.to_owned()), limits, watch, ..Settings::default() };
+            let settings = Settings { start: Some(rule.to_string()), limits, watch, ..Settings::default() };
             let model = match Every::default().generate_with(&Shape::rectangle(width, depth), &settings) {
                 Ok(model) => model,
                 Err(Error::Limit { .. } | Error::Shape(_)) => continue,

@@ -110,8 +110,9 @@ impl Tolerance {
 }
 
 fn prints(a: &Report, b: &Report, tolerance: Tolerance) -> Difference {
-    let lines =
-        |report: &Report| report.prints().iter().map(|print| (print.rule, print.to_string())).collect::<Vec<_>>();
+    let lines = |report: &Report| {
+        report.prints().iter().map(|print| (print.rule.clone(), print.to_string())).collect::<Vec<_>>()
+    };
     let (left, right) = (lines(a), lines(b));
     for (at, ((rule, a), (other, b))) in left.iter().zip(&right).enumerate() {
         if let Some(text) = same("the rule", rule, other).or_else(|| tolerance.text(a, b)) {

@@ -1,12 +1,12 @@
 //! Comparisons to the last bit.
 
 use cga::sink::buffers::{Buffers, Submesh, Vertex};
-use cga::{LeafView, Material};
+use cga::{LeafView, Material, Text};
 
 use crate::compare::Outcome;
 
 /// A triangle with all that is known of it.
-pub(crate) type Triangle = ([[u32; 26]; 3], &'static str, Material);
+pub(crate) type Triangle = ([[u32; 26]; 3], Text, Material);
 
 /// The first line in which two texts differ.
 pub(crate) fn texts(what: &str, a: &str, b: &str) -> Option<String> {
@@ -77,9 +77,9 @@ pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
     };
     let of = |submesh: Submesh| {
         let (rule, material) =
-            (buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
+            (&buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
         let (triangles, _) = buffers.indices()[submesh.indices].as_chunks::<3>();
-        triangles.iter().map(move |t| (t.map(corner), rule, Material::clone(material))).collect::<Vec<_>>()
+        triangles.iter().map(move |t| (t.map(corner), rule.clone(), Material::clone(material))).collect::<Vec<_>>()
     };
     buffers.submeshes().flat_map(of).collect()
 }

@@ -23,7 +23,7 @@ impl Sink for Leaves {
             uvs: std::array::from_fn(|set| mesh.uv_set(set).get(corner).copied()),
         };
         let faces = mesh.faces().map(|face| face.corner_range().map(corner).collect()).collect();
-        self.0.push((leaf.rule.to_owned(), faces));
+        self.0.push((leaf.rule.to_string(), faces));
         Flow::Continue(())
     }
 }

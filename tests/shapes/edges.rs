@@ -3,7 +3,7 @@
 use cga::glam::{DAffine3, DVec3};
 use cga::{Error, LimitKind, Limits, Model, Repeats, Settings, Shape, cga};
 
-fn names(model: &Model) -> Vec<&'static str> {
+fn names(model: &Model) -> Vec<&str> {
     model.leaves().map(|leaf| leaf.rule()).collect()
 }
 

@@ -1,7 +1,8 @@
 //! The table of attributes and the list of start rules: everything annotations say, for user interfaces.
 
+use cga_lang::ir::facts::Queries;
 use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Range, Start, Value};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 
 use super::fields::AttrField;
 use super::types::{self, value};
@@ -15,14 +16,13 @@ pub(super) fn is_restricted(field: &AttrField<'_>) -> bool {
 pub(super) fn attribute(field: &AttrField<'_>, grammar: &Grammar) -> TokenStream {
     let attr = field.attr;
     let (name, kind) = (&field.global.name, types::variant(field.global.ty));
-    let default = match field.known {
-        None => code!(::core::option::Option::None),
+    let mut row = match field.known {
+        None => code!(cga_rt::Attribute::computed(#name, cga_rt::ValueType::#kind)),
         Some(known) => {
-            let known = types::fixed(known);
-            code!(::core::option::Option::Some(#known))
+            let known = value(known);
+            code!(cga_rt::Attribute::new(#name, cga_rt::Value::#kind(#known)))
         }
     };
-    let mut row = code!(cga_rt::Attribute::new(#name, cga_rt::AttributeDefault::#kind(#default)));
     if let Some(name) = &attr.display_name {
         row.extend(code!(.display_name(#name)));
     }
@@ -37,7 +37,7 @@ pub(super) fn attribute(field: &AttrField<'_>, grammar: &Grammar) -> TokenStream
     row.extend(presentation(attr));
     if !attr.group.names.is_empty() {
         let group = &attr.group.names;
-        row.extend(code!(.group(&[#(#group),*])));
+        row.extend(code!(.group([#(#group),*])));
     }
     if let Some(order) = attr.group.order {
         let order = number(order);
@@ -70,16 +70,16 @@ fn choices_tokens(choices: &Choices, grammar: &Grammar) -> TokenStream {
     let values = match &choices.values {
         ChoiceValues::Floats(list) => {
             let list = list.iter().copied().map(number);
-            code!(cga_rt::ChoiceValues::Floats(&[#(#list),*]))
+            code!(cga_rt::ChoiceValues::Floats(cga_rt::list([#(#list),*])))
         }
-        ChoiceValues::Texts(list) => code!(cga_rt::ChoiceValues::Texts(&[#(#list),*])),
+        ChoiceValues::Texts(list) => code!(cga_rt::ChoiceValues::Texts(cga_rt::texts(&[#(#list),*]))),
         ChoiceValues::Attr(id) => {
             let name = &grammar.global(*id).name;
-            code!(cga_rt::ChoiceValues::Attribute(#name))
+            code!(cga_rt::ChoiceValues::Attribute(cga_rt::Text::fixed(#name)))
         }
     };
     let (restricted, labels) = (choices.restricted, &choices.labels);
-    let labels = (!labels.is_empty()).then(|| code!(.labels(&[#(#labels),*])));
+    let labels = (!labels.is_empty()).then(|| code!(.labels([#(#labels),*])));
     code!(cga_rt::Choices::new(#values, #restricted) #labels)
 }
 
@@ -91,7 +91,7 @@ fn presentation(attr: &AttrInfo) -> Option<TokenStream> {
         Presentation::Percent => code!(Percent),
         Presentation::Distance => code!(Distance),
         Presentation::Color => code!(Color),
-        Presentation::File(endings) => code!(File(&[#(#endings),*])),
+        Presentation::File(endings) => code!(File(cga_rt::texts(&[#(#endings),*]))),
         Presentation::Directory => code!(Directory),
         Presentation::MaterialFile => code!(MaterialFile),
     };
@@ -105,4 +105,11 @@ pub(super) fn start(start: &Start) -> TokenStream {
     let marked = start.marked.then(|| code!(.marked()));
     let hidden = start.hidden.then(|| code!(.hidden()));
     code!(cga_rt::StartRule::new(#name) #about #marked #hidden)
+}
+
+/// The entry of a start rule, with the queries that a run from it can reach.
+pub(super) fn entry(start: &Start, queries: Queries) -> TokenStream {
+    let [rule, style] = [start.rule.0, start.style].map(Literal::u32_unsuffixed);
+    let queries = Literal::u8_unsuffixed(queries.bits());
+    code!((#rule, #style, #queries))
 }

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-use cga_lang::ir::facts::Queries;
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -96,15 +95,8 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let has_tags = cx.plan.has_tags();
     let starts = &cx.grammar.starts;
     let start_rows = starts.iter().map(attribute_table::start);
-    let start_numbers = starts.iter().map(|start| Literal::u32_suffixed(start.rule.0));
-    let start_styles = starts.iter().map(|start| Literal::u32_suffixed(start.style));
-    // Grammars without queries have the default.
-    let queries = cx.plan.start_queries();
-    let has_queries = queries.iter().any(|queries| *queries != Queries::NONE);
-    let queries = has_queries.then(|| {
-        let queries = queries.iter().map(|queries| Literal::u8_suffixed(queries.bits()));
-        code!(const START_QUERIES: &'static [::core::primitive::u8] = &[#(#queries),*];)
-    });
+    let entries =
+        starts.iter().zip(cx.plan.start_queries()).map(|(start, queries)| attribute_table::entry(start, queries));
     // Styles may share a rule.
     let mut start_rules: Vec<RuleId> = starts.iter().map(|start| start.rule).collect();
     start_rules.sort_unstable();
@@ -130,26 +122,32 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let about = &cx.grammar.about;
     let about = (!about.is_empty()).then(|| {
         code! {
-            fn about(&self) -> &'static ::core::primitive::str {
+            fn about(&self) -> &::core::primitive::str {
                 #about
             }
         }
     });
     code! {
         #[automatically_derived]
-        impl cga_rt::Compiled for #name {}
+        impl cga_rt::Checked for #name {}
 
         #[automatically_derived]
         impl cga_rt::Rules for #name {
             type Values = CgaValues;
             type Call = CgaCall;
-            const NAMES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
-            const LEAVES: &'static [&'static ::core::primitive::str] = &[#(#leaves),*];
-            const TAGS: ::core::primitive::bool = #has_tags;
-            const STARTS: &'static [cga_rt::StartRule] = &[#(#start_rows),*];
-            const START_RULES: &'static [::core::primitive::u32] = &[#(#start_numbers),*];
-            const START_STYLES: &'static [::core::primitive::u32] = &[#(#start_styles),*];
-            #queries
+
+            fn tables(&self) -> &cga_rt::RuleTables {
+                static TABLES: cga_rt::LazyLock<cga_rt::RuleTables> = cga_rt::LazyLock::new(|| cga_rt::RuleTables {
+                    name: cga_rt::Text::fixed(#label),
+                    rules: cga_rt::names(&[#(#names),*]),
+                    leaves: cga_rt::names(&[#(#leaves),*]),
+                    tags: #has_tags,
+                    starts: cga_rt::list([#(#start_rows),*]),
+                    entries: cga_rt::entries(&[#(#entries),*]),
+                    attributes: cga_rt::list([#(#table),*]),
+                });
+                &TABLES
+            }
 
             fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
                 #check
@@ -201,14 +199,14 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
 
         #[automatically_derived]
         impl cga_rt::Grammar for #name {
-            fn name(&self) -> &'static ::core::primitive::str {
+            fn name(&self) -> &::core::primitive::str {
                 #label
             }
 
             #about
 
-            fn attributes(&self) -> &'static [cga_rt::Attribute] {
-                const { &[#(#table),*] }
+            fn attributes(&self) -> &[cga_rt::Attribute] {
+                &cga_rt::Rules::tables(self).attributes
             }
 
             fn attribute_get(&self, index: ::core::primitive::usize) -> ::core::option::Option<cga_rt::Value> {
@@ -240,12 +238,12 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                 &self,
                 shape: &cga_rt::Shape,
                 settings: &cga_rt::Settings,
-            ) -> ::core::result::Result<cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>, cga_rt::Error> {
+            ) -> ::core::result::Result<cga_rt::Vec<(cga_rt::Text, cga_rt::Value)>, cga_rt::Error> {
                 cga_rt::used_values(self, shape, settings)
             }
 
-            fn start_rules(&self) -> &'static [cga_rt::StartRule] {
-                <Self as cga_rt::Rules>::STARTS
+            fn start_rules(&self) -> &[cga_rt::StartRule] {
+                &cga_rt::Rules::tables(self).starts
             }
 
             fn run(

@@ -44,7 +44,7 @@ impl Generator<'_> {
                 code! {
                     #[doc = #doc]
                     fn #function(g: &CgaValues, env: &mut cga_rt::Env) -> #ty {
-                        g.#function.get(env, #name, #stack, |env| {
+                        g.#function.get(env, cga_rt::Text::fixed(#name), #stack, |env| {
                             let shape = &mut g.origin.global(#number);
                             #code
                         })

@@ -147,11 +147,11 @@ fn unrunnable(name: &Ident, label: &str) -> TokenStream {
 
         #[automatically_derived]
         impl cga_rt::Grammar for #name {
-            fn name(&self) -> &'static ::core::primitive::str {
+            fn name(&self) -> &::core::primitive::str {
                 #label
             }
 
-            fn attributes(&self) -> &'static [cga_rt::Attribute] {
+            fn attributes(&self) -> &[cga_rt::Attribute] {
                 &[]
             }
 
@@ -171,11 +171,11 @@ fn unrunnable(name: &Ident, label: &str) -> TokenStream {
                 &self,
                 _: &cga_rt::Shape,
                 _: &cga_rt::Settings,
-            ) -> ::core::result::Result<cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>, cga_rt::Error> {
+            ) -> ::core::result::Result<cga_rt::Vec<(cga_rt::Text, cga_rt::Value)>, cga_rt::Error> {
                 ::core::unreachable!("the rules have errors")
             }
 
-            fn start_rules(&self) -> &'static [cga_rt::StartRule] {
+            fn start_rules(&self) -> &[cga_rt::StartRule] {
                 &[]
             }
 

@@ -28,7 +28,7 @@ pub(super) fn outer(ty: Type, runtime: &TokenStream) -> TokenStream {
     }
 }
 
-/// The variant of that type in the runtime's `Value` and `AttributeDefault`.
+/// The variant of that type in the runtime's `Value` and `ValueType`.
 pub(super) fn variant(ty: Type) -> Ident {
     let name = match ty {
         Type::Float => "Float",
@@ -79,21 +79,6 @@ pub(super) fn value(value: &Value) -> TokenStream {
             let elements = rows.iter().flatten().map(self::value);
             code!(cga_rt::array(#columns, [#(#elements),*]))
         }
-    }
-}
-
-/// A constant of the attribute table: text is `&str`, arrays are slices of rows.
-pub(super) fn fixed(known: &Value) -> TokenStream {
-    match known {
-        Value::Text(text) => code!(#text),
-        Value::Array(rows) => {
-            let rows = rows.iter().map(|row| {
-                let entries = row.iter().map(fixed);
-                code!(&[#(#entries),*])
-            });
-            code!(&[#(#rows),*])
-        }
-        known => value(known),
     }
 }
 

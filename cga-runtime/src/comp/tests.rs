@@ -379,7 +379,7 @@ fn streets_decide_what_is_front() {
     // The street runs along the right side of the lot. Otherwise the lot has no front.
     let lot = Shape::rectangle(6.0, 4.0).streets([0.0, 8.0, 0.0, 0.0]);
     let words = [Word::StreetFront, Word::StreetBack, Word::StreetLeft, Word::StreetRight];
-    let env_of = |lot: &Shape| Env::new(&crate::run::settings::Settings::default(), &["Lot"], lot, "Lot");
+    let env_of = |lot: &Shape| Env::with_names(&crate::run::settings::Settings::default(), &["Lot"], lot, "Lot");
     let numbers = |lot: &Shape| {
         let arms = words.map(|word| arm(word, Mode::Each));
         let mut own = lot.clone();

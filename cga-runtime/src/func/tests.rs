@@ -16,7 +16,7 @@ pub(super) fn env() -> Env {
 pub(super) fn small_env(array: u64, text: u64) -> Env {
     let mut settings = Settings::default();
     (settings.limits.array, settings.limits.text) = (array, text);
-    Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "")
+    Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "")
 }
 
 /// The number of faults since the last call.

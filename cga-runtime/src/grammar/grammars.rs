@@ -53,7 +53,7 @@ impl Grammars {
     /// Adds a grammar under the name of its header. It replaces a grammar of that name. Grammars without a header have no name, so of
     /// several of them each needs [`with_named`](Grammars::with_named).
     pub fn with(self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
-        let name = grammar.name();
+        let name = Text::from(grammar.name());
         self.with_named(name, grammar)
     }
 

@@ -13,7 +13,7 @@ type Own<'a> = &'a dyn Fn(usize) -> Option<Value>;
 
 /// The values of attributes, by name.
 struct Values<'a> {
-    attributes: &'static [Attribute],
+    attributes: &'a [Attribute],
     own: Own<'a>,
 }
 
@@ -21,7 +21,7 @@ impl Serialize for Values<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.attributes.len()))?;
         for (index, attribute) in self.attributes.iter().enumerate() {
-            map.serialize_entry(attribute.name, &(self.own)(index))?;
+            map.serialize_entry(&attribute.name, &(self.own)(index))?;
         }
         map.end()
     }
@@ -29,29 +29,25 @@ impl Serialize for Values<'_> {
 
 /// An attribute with its value.
 #[derive(Serialize)]
-struct Described {
+struct Described<'a> {
     #[serde(flatten)]
-    attribute: &'static Attribute,
+    attribute: &'a Attribute,
     value: Option<Value>,
     /// The values to choose from, also if another attribute has them.
     allowed: Option<Vec<Value>>,
 }
 
 /// See [`Grammar::values_json`].
-pub(super) fn values(attributes: &'static [Attribute], own: Own<'_>) -> String {
+pub(super) fn values(attributes: &[Attribute], own: Own<'_>) -> String {
     serde_json::to_string(&Values { attributes, own }).unwrap_or_default()
 }
 
 /// See [`Grammar::attributes_json`].
-pub(super) fn attributes(
-    attributes: &'static [Attribute],
-    own: Own<'_>,
-    get: &dyn Fn(&str) -> Option<Value>,
-) -> String {
+pub(super) fn attributes(attributes: &[Attribute], own: Own<'_>, get: &dyn Fn(&str) -> Option<Value>) -> String {
     let rows = attributes.iter().enumerate().map(|(index, attribute)| Described {
         attribute,
         value: own(index),
-        allowed: attribute.choices.and_then(|choices| choices.of_values(get)),
+        allowed: attribute.choices.as_ref().and_then(|choices| choices.of_values(get)),
     });
     serde_json::to_string(&rows.collect::<Vec<_>>()).unwrap_or_default()
 }
@@ -61,12 +57,11 @@ type Change = (usize, Option<Value>);
 
 /// See [`Grammar::set_values_json`].
 pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Result<(), AttributeError> {
-    let attributes = grammar.attributes();
-    let changes = read(attributes, json)?;
+    let changes = read(grammar.attributes(), json)?;
     // Choices may be values of other attributes, so all are set before they are checked.
     let before: Vec<Change> = changes.iter().map(|&(index, _)| (index, grammar.attribute_get(index))).collect();
     put_all(grammar, &changes);
-    let checked = allowed(attributes, &changes, &|name| grammar.get(name).ok());
+    let checked = allowed(grammar.attributes(), &changes, &|name| grammar.get(name).ok());
     if checked.is_err() {
         put_all(grammar, &before);
     }
@@ -74,7 +69,7 @@ pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Re
 }
 
 /// The values of a JSON object.
-fn read(attributes: &'static [Attribute], json: &str) -> Result<Vec<Change>, AttributeError> {
+fn read(attributes: &[Attribute], json: &str) -> Result<Vec<Change>, AttributeError> {
     let refused = |error: serde_json::Error| AttributeError::Json { message: error.to_string() };
     let object: serde_json::Map<String, serde_json::Value> = serde_json::from_str(json).map_err(refused)?;
     let change = |(name, value): (String, serde_json::Value)| {
@@ -83,7 +78,7 @@ fn read(attributes: &'static [Attribute], json: &str) -> Result<Vec<Change>, Att
             serde_json::Value::Null => None,
             value => {
                 let text = value.to_string();
-                Some(Value::of_type(attribute.ty(), value).map_err(|_| attribute.no_value(&text))?)
+                Some(Value::of_type(attribute.ty, value).map_err(|_| attribute.no_value(&text))?)
             }
         };
         Ok((index, value))
@@ -93,7 +88,7 @@ fn read(attributes: &'static [Attribute], json: &str) -> Result<Vec<Change>, Att
 
 /// Checks the values of changes that were made.
 fn allowed(
-    attributes: &'static [Attribute],
+    attributes: &[Attribute],
     changes: &[Change],
     get: &dyn Fn(&str) -> Option<Value>,
 ) -> Result<(), AttributeError> {

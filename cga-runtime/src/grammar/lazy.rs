@@ -7,6 +7,7 @@ use super::support::global;
 use crate::op::set;
 use crate::run::env::Env;
 use crate::shape::Shape;
+use crate::value::text::Text;
 
 /// A value that is computed on the first read.
 #[derive(Clone, Debug)]
@@ -44,7 +45,7 @@ impl<T: Clone + Default> Lazy<T> {
     /// value itself, the run ends with an error that names the cycle. If the stack has no room, the run ends with the
     /// error of a limit.
     #[inline]
-    pub fn get(&self, env: &mut Env, name: &'static str, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+    pub fn get(&self, env: &mut Env, name: Text, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
         match self.value.get() {
             Some(value) => value.clone(),
             None => self.first(env, name, stack, compute),
@@ -52,9 +53,9 @@ impl<T: Clone + Default> Lazy<T> {
     }
 
     #[cold]
-    fn first(&self, env: &mut Env, name: &'static str, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+    fn first(&self, env: &mut Env, name: Text, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
         if self.is_open.get() {
-            env.close_cycle(name);
+            env.close_cycle(&name);
             return T::default();
         }
         if !env.call(stack) {

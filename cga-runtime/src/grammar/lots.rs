@@ -49,7 +49,7 @@ fn refused(grammar: &dyn Grammar, set: &BTreeMap<usize, Option<Value>>) -> BTree
     for (index, attribute) in attributes.iter().enumerate() {
         let Some(value) = grammar.attribute_get(index) else { continue };
         let Err(error) = attribute.allows(&value, &|name| grammar.get(name).ok()) else { continue };
-        let choices = || match attribute.choices?.values {
+        let choices = || match &attribute.choices.as_ref()?.values {
             ChoiceValues::Attribute(name) => attribute::find(attributes, name).ok().map(|(list, _)| list),
             ChoiceValues::Floats(_) | ChoiceValues::Texts(_) => None,
         };

@@ -26,6 +26,7 @@ use crate::run::sink::Sink;
 use crate::run::start_rule::StartRule;
 use crate::shape::Shape;
 use crate::value::Value;
+use crate::value::text::Text;
 
 /// A grammar, for programs that choose one of several at run time. `cga!` implements it for the struct it makes.
 ///
@@ -34,18 +35,18 @@ use crate::value::Value;
 /// user interfaces do not change the results of rules.
 pub trait Grammar {
     /// The grammar's name; empty for a grammar without a header.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// The attributes, in source order.
-    fn attributes(&self) -> &'static [Attribute];
+    fn attributes(&self) -> &[Attribute];
 
     /// A description in Markdown (`@RuleFileDescription`); empty if there is none.
-    fn about(&self) -> &'static str {
+    fn about(&self) -> &str {
         ""
     }
 
     /// All rules that a run can start with. The first is the default.
-    fn start_rules(&self) -> &'static [StartRule];
+    fn start_rules(&self) -> &[StartRule];
 
     /// The value of the attribute with an index in [`attributes`](Grammar::attributes). `None` while it is computed
     /// for each initial shape, and for an index out of range. [`get`](Grammar::get) reads by name.
@@ -74,7 +75,7 @@ pub trait Grammar {
     /// # Errors
     /// The errors of a run before its first rule: [`Error::Attribute`], [`Error::StartRule`], [`Error::Shape`],
     /// [`Error::Lot`], [`Error::Cycle`], and limits of functions.
-    fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(&'static str, Value)>, Error>;
+    fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(Text, Value)>, Error>;
 
     /// Runs the grammar and hands the leaves to a sink. A grammar that is written by hand need not know of lots: sessions,
     /// [`generate`](Grammar::generate) and [`parallel`] set the attributes of a lot and find its start rule before they call this.
@@ -110,7 +111,7 @@ pub trait Grammar {
     /// The attribute does not exist, or its default is computed for each initial shape and it is not set.
     fn get(&self, name: &str) -> Result<Value, AttributeError> {
         let (index, attribute) = attribute::find(self.attributes(), name)?;
-        self.attribute_get(index).ok_or(AttributeError::Computed { name: attribute.name })
+        self.attribute_get(index).ok_or(AttributeError::Computed { name: attribute.name.clone() })
     }
 
     /// Sets an attribute by its name.
@@ -131,7 +132,7 @@ pub trait Grammar {
     /// As [`set`](Grammar::set), and if the text cannot be read as a value of the attribute's type.
     fn set_text(&mut self, name: &str, text: &str) -> Result<(), AttributeError> {
         let (_, attribute) = attribute::find(self.attributes(), name)?;
-        let value = Value::parse(text, attribute.ty()).ok_or_else(|| attribute.no_value(text))?;
+        let value = Value::parse(text, attribute.ty).ok_or_else(|| attribute.no_value(text))?;
         self.set(name, value)
     }
 

@@ -15,7 +15,7 @@ use std::sync::Arc;
 use crate::fault::{Error, Fault};
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
-use crate::run::derive::{self, Derivation, GrammarNames, Kept, NoResult, RunOutcome, Start};
+use crate::run::derive::{self, Derivation, Kept, NoResult, RunOutcome, Start};
 use crate::run::ghost::leaf_sink::LeafGhost;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
@@ -27,6 +27,7 @@ use crate::run::surroundings::Neighbours;
 use crate::shape::Shape;
 use crate::shape::lot::Lot;
 use crate::value::Value;
+use crate::value::text::Text;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {
@@ -77,7 +78,7 @@ impl<'g, G: Rules + Grammar + Clone> Setup<'g, G> {
     /// Checks the attributes and finds the start rule.
     fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
         grammar.check()?;
-        let start = derive::start_rule::<G>(settings.start.as_deref())?;
+        let start = Start::find(grammar.tables(), settings.start.as_deref())?;
         Ok(Setup { grammar, settings, start })
     }
 
@@ -85,7 +86,8 @@ impl<'g, G: Rules + Grammar + Clone> Setup<'g, G> {
     fn of_lot(&self, lot: &Lot) -> (G, Start, Vec<String>) {
         let mut grammar = self.grammar.clone();
         let mut problems = lots::set_values(&mut grammar, lot);
-        let start = lot.start.as_deref().map_or(Ok(self.start), |rule| derive::start_rule::<G>(Some(rule)));
+        let tables = self.grammar.tables();
+        let start = lot.start.as_deref().map_or(Ok(self.start), |rule| Start::find(tables, Some(rule)));
         let start = start.unwrap_or_else(|error| {
             problems.push(error.to_string());
             self.start
@@ -141,7 +143,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
             Err(reason) => return reason.into(),
         };
         let Prepared { grammar, start, settings, kept, faults } = prepared;
-        let mut outcome = run_named(&Derivation { rules: grammar, start, shape, settings }, neighbours, kept, sink);
+        let mut outcome = derive::run(&Derivation { rules: grammar, start, shape, settings }, neighbours, kept, sink);
         outcome.report.begin_with(faults);
         outcome
     }
@@ -154,7 +156,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
 
     /// The queries of other shapes that a run on a shape can reach.
     fn queries(&self, shape: &Shape) -> Queries {
-        let own = shape.start_name().and_then(|rule| derive::start_rule::<G>(Some(rule)).ok());
+        let own = shape.start_name().and_then(|rule| Start::find(self.setup.grammar.tables(), Some(rule)).ok());
         own.unwrap_or(self.setup.start).queries
     }
 
@@ -186,19 +188,6 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
         let faults = lots::faults(shape, problems, setup.settings.wrong_lots).map_err(NoResult::Failed)?;
         Ok(Prepared { grammar, start: *start, settings: &setup.settings, kept, faults })
     }
-}
-
-/// Runs a grammar on a shape that was checked, with the names that the grammar has.
-fn run_named<G: Rules + Grammar>(
-    run: &Derivation<'_, G>,
-    neighbours: Option<&Arc<Neighbours>>,
-    kept: &mut Kept<G::Call>,
-    sink: &mut dyn Sink,
-) -> RunOutcome {
-    let attributes = run.rules.attributes();
-    let attribute = |index: usize| attributes.get(index).map_or("", |attribute| attribute.name);
-    let names = GrammarNames { grammar: run.rules.name(), attribute: &attribute };
-    derive::run(run, neighbours, kept, &names, sink)
 }
 
 /// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].
@@ -271,7 +260,7 @@ impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
             None
         });
         let faults = lots::faults(shape, &problems, self.settings.wrong_lots)?;
-        let start = own.map(|start| start.name.to_owned()).or_else(|| self.settings.start.clone());
+        let start = own.map(|start| start.name.to_string()).or_else(|| self.settings.start.clone());
         // The grammar may pass the shape on to another grammar, for which the data is not meant.
         let mut report = grammar.run(&shape.without_lot(), &Settings { start, ..self.settings.clone() }, sink)?;
         report.begin_with(faults);
@@ -317,7 +306,7 @@ pub fn used_values<G: Rules + Grammar + Clone>(
     grammar: &G,
     shape: &Shape,
     settings: &Settings,
-) -> Result<Vec<(&'static str, Value)>, Error> {
+) -> Result<Vec<(Text, Value)>, Error> {
     let setup = Setup::new(grammar, Cow::Borrowed(settings))?;
     shape.check_initial()?;
     let values = match shape.lot() {
@@ -329,7 +318,7 @@ pub fn used_values<G: Rules + Grammar + Clone>(
         }
     };
     let pairs = grammar.attributes().iter().zip(values);
-    Ok(pairs.filter_map(|(attribute, value)| Some((attribute.name, value?))).collect())
+    Ok(pairs.filter_map(|(attribute, value)| Some((attribute.name.clone(), value?))).collect())
 }
 
 /// A session for one run.

@@ -1,7 +1,11 @@
 //! Attributes by name.
 
+use std::sync::LazyLock;
+
 use super::*;
-use crate::grammar::attribute::{AttributeDefault, ChoiceValues, Choices, Range};
+use crate::grammar::attribute::{ChoiceValues, Choices, Range};
+use crate::run::rules::texts;
+use crate::value::ValueType;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
@@ -35,32 +39,34 @@ impl Tower {
     }
 }
 
-static ATTRIBUTES: [Attribute; 9] = [
-    Attribute::new("height", AttributeDefault::Float(Some(12.0))).range(Range::new(3.0, 60.0, 0.0, true)),
-    Attribute::new("lit", AttributeDefault::Bool(Some(false))),
-    Attribute::new("style", AttributeDefault::Text(Some("plain")))
-        .choices(Choices::new(ChoiceValues::Texts(&["plain", "ornate"]), true)),
-    Attribute::new("storeys", AttributeDefault::Float(None))
-        .choices(Choices::new(ChoiceValues::Attribute("height"), true)),
-    Attribute::new("name", AttributeDefault::Text(None)).choices(Choices::new(ChoiceValues::Texts(&["a"]), false)),
-    Attribute::new("odd", AttributeDefault::Float(Some(-1.0))).range(Range::new(0.0, 1.0, 0.0, true)),
-    Attribute::new("storeys_each", AttributeDefault::Floats(Some(&[&[99.0]]))).range(Range::new(3.0, 6.0, 0.0, true)),
-    Attribute::new("uses", AttributeDefault::Texts(None))
-        .choices(Choices::new(ChoiceValues::Texts(&["shop", "flat"]), true)),
-    Attribute::new("use", AttributeDefault::Text(None)).choices(Choices::new(ChoiceValues::Attribute("uses"), true)),
-];
+static ATTRIBUTES: LazyLock<[Attribute; 9]> = LazyLock::new(|| {
+    [
+        Attribute::new("height", 12.0).range(Range::new(3.0, 60.0, 0.0, true)),
+        Attribute::new("lit", false),
+        Attribute::new("style", "plain").choices(Choices::new(ChoiceValues::Texts(texts(&["plain", "ornate"])), true)),
+        Attribute::computed("storeys", ValueType::Float)
+            .choices(Choices::new(ChoiceValues::Attribute("height".into()), true)),
+        Attribute::computed("name", ValueType::Text).choices(Choices::new(ChoiceValues::Texts(texts(&["a"])), false)),
+        Attribute::new("odd", -1.0).range(Range::new(0.0, 1.0, 0.0, true)),
+        Attribute::new("storeys_each", Array::from([99.0])).range(Range::new(3.0, 6.0, 0.0, true)),
+        Attribute::computed("uses", ValueType::Texts)
+            .choices(Choices::new(ChoiceValues::Texts(texts(&["shop", "flat"])), true)),
+        Attribute::computed("use", ValueType::Text).choices(Choices::new(ChoiceValues::Attribute("uses".into()), true)),
+    ]
+});
 
 impl Grammar for Tower {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "Tower"
     }
 
-    fn attributes(&self) -> &'static [Attribute] {
-        &ATTRIBUTES
+    fn attributes(&self) -> &[Attribute] {
+        &*ATTRIBUTES
     }
 
-    fn start_rules(&self) -> &'static [StartRule] {
-        const { &[StartRule::new("Lot")] }
+    fn start_rules(&self) -> &[StartRule] {
+        static STARTS: LazyLock<[StartRule; 1]> = LazyLock::new(|| [StartRule::new("Lot")]);
+        &*STARTS
     }
 
     fn attribute_get(&self, index: usize) -> Option<Value> {
@@ -103,9 +109,9 @@ impl Grammar for Tower {
         Box::new(self.clone())
     }
 
-    fn used_values(&self, _: &Shape, _: &Settings) -> Result<Vec<(&'static str, Value)>, Error> {
+    fn used_values(&self, _: &Shape, _: &Settings) -> Result<Vec<(Text, Value)>, Error> {
         let values = self.attributes().iter().enumerate();
-        Ok(values.filter_map(|(index, attribute)| Some((attribute.name, self.attribute_get(index)?))).collect())
+        Ok(values.filter_map(|(index, attribute)| Some((attribute.name.clone(), self.attribute_get(index)?))).collect())
     }
 
     fn run(&self, _: &Shape, _: &Settings, _: &mut dyn Sink) -> Result<Report, Error> {
@@ -121,11 +127,11 @@ fn tower() -> Box<dyn Grammar> {
 fn attributes_are_read_and_set_by_name() {
     let mut tower = tower();
     assert_eq!(tower.get("height"), Ok(12.0.into()));
-    assert_eq!(tower.get("storeys"), Err(AttributeError::Computed { name: "storeys" }));
+    assert_eq!(tower.get("storeys"), Err(AttributeError::Computed { name: "storeys".into() }));
     assert_eq!(tower.set("height", 60.0.into()), Ok(()));
     assert_eq!((tower.set_text("lit", "true"), tower.set_text("style", "ornate")), (Ok(()), Ok(())));
     assert_eq!((tower.set_text("name", "any"), tower.set("storeys", 60.0.into())), (Ok(()), Ok(())));
-    let values: Vec<String> = ATTRIBUTES.iter().map(|it| tower.get(it.name).expect("set").to_string()).collect();
+    let values: Vec<String> = ATTRIBUTES.iter().map(|it| tower.get(&it.name).expect("set").to_string()).collect();
     assert_eq!(values, ["60", "true", "ornate", "60", "any", "-1", "(1)[99]", "(2)[shop,flat]", "shop"]);
 }
 

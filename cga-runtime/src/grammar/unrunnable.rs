@@ -1,11 +1,12 @@
 //! Grammars whose rules have errors.
 
+use std::sync::LazyLock;
+
 use crate::fault::Error;
 use crate::run::context::Cx;
 use crate::run::env::Env;
-use crate::run::rules::{Compiled, Rules};
+use crate::run::rules::{Checked, RuleTables, Rules};
 use crate::run::sink::Flow;
-use crate::run::start_rule::StartRule;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::Value;
 
@@ -13,17 +14,15 @@ use crate::value::Value;
 /// the rules only. It never runs, as its program never builds.
 pub trait Unrunnable {}
 
-impl<T: Unrunnable> Compiled for T {}
+impl<T: Unrunnable> Checked for T {}
 
 impl<T: Unrunnable> Rules for T {
     type Values = ();
     type Call = ();
-    const NAMES: &'static [&'static str] = &[];
-    const LEAVES: &'static [&'static str] = &[];
-    const TAGS: bool = false;
-    const STARTS: &'static [StartRule] = &[];
-    const START_RULES: &'static [u32] = &[];
-    const START_STYLES: &'static [u32] = &[];
+    fn tables(&self) -> &RuleTables {
+        static NONE: LazyLock<RuleTables> = LazyLock::new(RuleTables::default);
+        &NONE
+    }
 
     fn check(&self) -> Result<(), Error> {
         Ok(())

@@ -40,7 +40,7 @@ mod tests {
     fn env(reports: u64, prints: u64) -> Env {
         let limits = Limits { reports, prints, ..Limits::default() };
         let settings = Settings { limits, ..Settings::default() };
-        Env::new(&settings, &["Lot"], &Shape::rectangle(1.0, 1.0), "Lot")
+        Env::with_names(&settings, &["Lot"], &Shape::rectangle(1.0, 1.0), "Lot")
     }
 
     #[test]
@@ -64,8 +64,8 @@ mod tests {
         print(env, shape, Text::fixed("x = 1"));
         env.trail.push(0);
         print(env, shape, 1.69 - 0.69);
-        let lines: Vec<_> = prints(env).iter().map(|line| (line.rule, line.to_string())).collect();
-        assert_eq!(lines, [("", "x = 1".to_owned()), ("Lot", "1".to_owned())]);
+        let lines: Vec<_> = prints(env).iter().map(|line| (line.rule.to_string(), line.to_string())).collect();
+        assert_eq!(lines, [("", "x = 1"), ("Lot", "1")].map(|(rule, line)| (rule.to_owned(), line.to_owned())));
         assert!(crate::query::print(env, true));
         assert_eq!(prints(env).last().map(|line| &line.value), Some(&Value::Bool(true)));
     }

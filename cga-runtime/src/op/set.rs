@@ -306,7 +306,7 @@ mod tests {
     fn moved() -> (Env, Shape) {
         let outline = [[10.0, 5.0], [14.0, 8.0], [12.0, 1.0]];
         let shape = Shape::footprint(&outline, &[]).expect("a triangle").at([0.0, 3.0, 0.0]).named("Lot 7");
-        (Env::new(&Settings::default(), &[], &shape, "Start"), shape)
+        (Env::with_names(&Settings::default(), &[], &shape, "Start"), shape)
     }
 
     #[test]

@@ -39,6 +39,7 @@ use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::texture::SETS;
+use crate::value::text::Text;
 
 /// Collects leaves as triangles. It can be cleared and used again without releasing its memory.
 #[derive(Clone, Debug)]
@@ -172,7 +173,7 @@ impl Buffers {
     }
 
     /// The rule names by number.
-    pub fn rules(&self) -> &[&'static str] {
+    pub fn rules(&self) -> &[Text] {
         self.numbers.table.rules()
     }
 

@@ -26,6 +26,7 @@ use crate::material::{Layer, Material};
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::shape::base::Form;
+use crate::value::text::Text;
 
 /// The division of a model into meshes. A mesh always has one material.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -56,7 +57,7 @@ pub struct Meshes {
 #[non_exhaustive]
 pub struct TriangleMesh {
     /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
-    pub rule: Option<&'static str>,
+    pub rule: Option<Text>,
     /// The index of the building of all leaves in [`Model::buildings`]; `None` for a mesh with leaves of any building, and for leaves that
     /// belong to none.
     pub building: Option<usize>,
@@ -307,7 +308,7 @@ impl MeshBuild {
         });
         let (vertices, indices) = (self.faces.vertex_count(), self.faces.index_count());
         TriangleMesh {
-            rule: self.rule.map(|rule| table.rules()[rule as usize]),
+            rule: self.rule.map(|rule| table.rules()[rule as usize].clone()),
             building: self.building,
             material,
             positions: gathered(vertices, |add| self.faces.positions(add)),

@@ -31,6 +31,7 @@ use crate::shape::base::Form;
 use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
 use crate::shape::unit::UnitMesh;
+use crate::value::text::Text;
 
 use leaf_store::{LeafStore, ModelLeaf};
 pub use leaf_view::{Geometry, LeafView, Leaves};
@@ -218,7 +219,7 @@ impl Model {
     }
 
     /// The names of the rules that made leaves, in the order of their first leaf.
-    pub fn rules(&self) -> &[&'static str] {
+    pub fn rules(&self) -> &[Text] {
         self.numbers.table.rules()
     }
 
@@ -228,8 +229,8 @@ impl Model {
     }
 
     /// The number of leaves of each rule, in the order of [`Model::rules`].
-    pub fn counts(&self) -> Vec<(&'static str, usize)> {
-        let mut counts: Vec<_> = self.rules().iter().map(|&rule| (rule, 0)).collect();
+    pub fn counts(&self) -> Vec<(&str, usize)> {
+        let mut counts: Vec<_> = self.rules().iter().map(|rule| (rule.as_str(), 0)).collect();
         for leaf in self.leaves() {
             counts[leaf.rule_index()].1 += 1;
         }
@@ -238,7 +239,7 @@ impl Model {
 
     /// The number of leaves of one rule.
     pub fn count(&self, rule: &str) -> usize {
-        match self.rules().iter().position(|&name| name == rule) {
+        match self.rules().iter().position(|name| name.is(rule)) {
             Some(id) => self.leaves().filter(|leaf| leaf.rule_index() == id).count(),
             None => 0,
         }

@@ -111,7 +111,7 @@ impl<W: Write> Obj<W> {
         if std::mem::take(&mut self.has_ended) {
             self.text.extend_from_slice(b"o rest\n");
         }
-        let group = self.numbers.table.rules()[rule as usize];
+        let group = self.numbers.table.rules()[rule as usize].as_str();
         let name = self.names.of(material, &self.numbers.table.materials()[material as usize]);
         for text in ["g ", group, "\nusemtl ", name, "\n"] {
             self.text.extend_from_slice(text.as_bytes());

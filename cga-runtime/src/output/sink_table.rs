@@ -12,15 +12,16 @@ use std::sync::Arc;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceTag, Materials};
 use crate::material::{Material, MaterialNumber};
+use crate::value::text::Text;
 
 /// Interned rule names and materials. Equal leaves in equal order give equal numbers.
 #[derive(Clone, Default)]
 pub struct SinkTable {
-    rules: Vec<&'static str>,
+    rules: Vec<Text>,
     /// Only for look-ups, never iterated.
-    rule_numbers: HashMap<&'static str, u32>,
-    /// Recently used rules, by address.
-    recent_rules: [Option<(&'static str, u32)>; RECENT],
+    rule_numbers: HashMap<Text, u32>,
+    /// Recently used rules, by address. Holding them keeps their addresses from being reused.
+    recent_rules: [Option<(Text, u32)>; RECENT],
     materials: Vec<Arc<Material>>,
     /// Only for look-ups, never iterated.
     material_numbers: HashMap<ByBits, u32>,
@@ -61,7 +62,7 @@ impl SinkTable {
     }
 
     /// The rule names by number.
-    pub fn rules(&self) -> &[&'static str] {
+    pub fn rules(&self) -> &[Text] {
         &self.rules
     }
 
@@ -83,9 +84,9 @@ impl SinkTable {
 
     /// The number of a rule name.
     #[inline]
-    pub fn rule(&mut self, name: &'static str) -> u32 {
-        match self.recent_rules[recent_place(name.as_ptr())] {
-            Some((known, id)) if std::ptr::eq(known, name) => id,
+    pub fn rule(&mut self, name: &Text) -> u32 {
+        match &self.recent_rules[recent_place(name.as_ptr())] {
+            Some((known, id)) if std::ptr::eq(known.as_str(), name.as_str()) => *id,
             _ => self.other_rule(name),
         }
     }
@@ -121,13 +122,13 @@ impl SinkTable {
     }
 
     #[inline(never)]
-    fn other_rule(&mut self, name: &'static str) -> u32 {
+    fn other_rule(&mut self, name: &Text) -> u32 {
         let rules = &mut self.rules;
-        let id = *self.rule_numbers.entry(name).or_insert_with(|| {
-            rules.push(name);
+        let id = *self.rule_numbers.entry(name.clone()).or_insert_with(|| {
+            rules.push(name.clone());
             (rules.len() - 1) as u32
         });
-        self.recent_rules[recent_place(name.as_ptr())] = Some((name, id));
+        self.recent_rules[recent_place(name.as_ptr())] = Some((name.clone(), id));
         id
     }
 
@@ -195,8 +196,8 @@ mod tests {
     #[test]
     fn rules_are_numbered_as_first_seen_and_equal_text_is_one_rule() {
         let mut table = SinkTable::new();
-        let copy: &'static str = Box::leak(String::from("Wall").into_boxed_str());
-        assert_eq!(["Wall", "Roof", copy, "Roof", "Wall"].map(|name| table.rule(name)), [0, 1, 0, 1, 0]);
+        let [wall, roof] = ["Wall", "Roof"].map(Text::fixed);
+        assert_eq!([&wall, &roof, &Text::from("Wall"), &roof, &wall].map(|name| table.rule(name)), [0, 1, 0, 1, 0]);
         assert_eq!(table.rules(), ["Wall", "Roof"]);
     }
 

@@ -15,6 +15,7 @@ use crate::geometry::mesh::{Bounds, Mesh};
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Replay, Sink};
 use crate::shape::base::Form;
 use crate::shape::filled_scope;
+use crate::value::text::Text;
 
 /// Sums over leaves. Triangles and vertices are counted as [`super::buffers::Buffers`] makes them.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -78,8 +79,8 @@ impl Stats {
     }
 
     /// The rule names with their measures, in the order of the rules' first leaves.
-    pub fn rules(&self) -> impl ExactSizeIterator<Item = (&'static str, &Measures)> + '_ {
-        self.numbers.table.rules().iter().copied().zip(&self.rules)
+    pub fn rules(&self) -> impl ExactSizeIterator<Item = (&Text, &Measures)> + '_ {
+        self.numbers.table.rules().iter().zip(&self.rules)
     }
 
     /// The measures of one rule; all zero if it made no leaf.

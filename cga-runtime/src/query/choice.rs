@@ -112,7 +112,7 @@ mod tests {
 
     fn env(assets: Assets) -> Env {
         let settings = Settings { assets: Arc::new(assets), ..Settings::default() };
-        Env::new(&settings, &[], &Shape::rectangle(1.0, 1.0), "")
+        Env::with_names(&settings, &[], &Shape::rectangle(1.0, 1.0), "")
     }
 
     /// Boxes by name, of these sizes.

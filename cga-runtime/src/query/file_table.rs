@@ -106,7 +106,7 @@ mod tests {
         std::fs::write(folder.join("floors.csv"), "Floor,Height\n0,10,Pomp\r\n1,7\n").expect("a file");
         let assets = std::sync::Arc::new(crate::asset::Assets::below(&folder));
         let settings = crate::run::settings::Settings { assets, ..crate::run::settings::Settings::default() };
-        let env = &mut Env::new(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+        let env = &mut Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
         let table = read_string_table(env, "floors.csv".into());
         assert_eq!((table.rows(), table.columns()), (3, 3));
         assert_eq!(table.at(1, 2).map(Text::as_str), Some("Pomp"));

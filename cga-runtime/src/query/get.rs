@@ -152,7 +152,7 @@ pub fn initial_shape_name(env: &Env, _: &impl View) -> Text {
 
 /// `initialShape.startRule` (*initialShape attribute*).
 pub fn initial_shape_start_rule(env: &Env, _: &impl View) -> Text {
-    Text::fixed(env.initial.start_rule)
+    env.initial.start_rule.clone()
 }
 
 macro_rules! placed {

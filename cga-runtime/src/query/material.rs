@@ -150,7 +150,7 @@ mod tests {
             ..crate::run::settings::Settings::default()
         };
         let (env, shape) =
-            (&mut Env::new(&settings, &[], &Shape::rectangle(1.0, 1.0), ""), &mut Shape::cuboid(1.0, 1.0, 1.0));
+            (&mut Env::with_names(&settings, &[], &Shape::rectangle(1.0, 1.0), ""), &mut Shape::cuboid(1.0, 1.0, 1.0));
         let glass = read_material(env, "glass/glass.cgamat".into());
         let cells: Vec<&str> = glass.as_slice().iter().map(Text::as_str).collect();
         let image = "/glass/images/pane.png";

@@ -65,7 +65,7 @@ mod tests {
         let assets = Assets::from_source(std::collections::BTreeMap::from(files))
             .with("b.glb", crate::geometry::primitive::cube());
         let settings = Settings { assets: std::sync::Arc::new(assets), ..Settings::default() };
-        let env = &mut Env::new(&settings, &[], &Shape::rectangle(1.0, 1.0), "");
+        let env = &mut Env::with_names(&settings, &[], &Shape::rectangle(1.0, 1.0), "");
         let tree = || File::from("tree.gltf");
         assert_eq!(asset_metadata_text(env, tree(), "species".into(), "".into()).as_str(), "oak");
         assert_eq!(asset_metadata_float(env, tree(), "height".into(), 1.0), 12.5, "the first number");

@@ -314,7 +314,7 @@ fn names_are_those_that_faces_have() {
     // *CGA changelog 2021.0*: the initial shape's name, until something is inserted.
     for start in [Shape::rectangle(2.0, 1.0), Shape::rectangle(2.0, 1.0).held_as_meshes(), shape] {
         let mut shape = start.named("Lot 7");
-        let env = &mut Env::new(&Settings::default(), &[], &shape, "Init");
+        let env = &mut Env::with_names(&Settings::default(), &[], &shape, "Init");
         assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
         op::extrude(env, &mut shape, Absolute(1.0));
         assert_eq!(strings(geometry_groups(env, &shape)).last().map(String::as_str), Some("Lot 7"));
@@ -367,7 +367,7 @@ fn a_cube_and_a_quad_are_instances_until_they_are_changed() {
     for _ in 0..2000 {
         let start = if seed.draw() < 0.5 { Shape::rectangle(4.0, 2.0) } else { Shape::cuboid(4.0, 3.0, 2.0) };
         let mut pair = [start.clone(), start.held_as_meshes()].map(|shape| {
-            let env = Env::new(&Settings::default(), &[], &shape, "Init");
+            let env = Env::with_names(&Settings::default(), &[], &shape, "Init");
             (env, shape)
         });
         let mut inserted = false;
@@ -395,7 +395,7 @@ fn coordinates_go_from_system_to_system_and_back() {
     let start = Frame { origin: DVec3::new(0.34, 0.0, 1.5), axes: turn(0.0, -46.540_214_537, 0.0) };
     (shape.pivot, shape.scope.origin, shape.scope.axes) =
         (start, start.to_world(DVec3::new(0.4, 0.0, -0.6)), start.axes);
-    let env = &mut Env::new(&Settings::default(), &[], &shape, "Init");
+    let env = &mut Env::with_names(&Settings::default(), &[], &shape, "Init");
     rotate(env, &mut shape, -10.0, 70.0, 0.0);
     let convert = |env: &mut Env, from, to, what, given| convert::convert_all(env, &shape, from, to, what, given);
     let close = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| near(*a, b));

@@ -17,10 +17,10 @@ pub struct Building {
     /// The seed of the initial shape.
     pub seed: u64,
     /// The name of its grammar; empty for a grammar without a header.
-    pub grammar: &'static str,
+    pub grammar: Text,
     /// The names and values of the attributes that the run used, in the order of the grammar's attributes: values of the lot and of
     /// the program, and defaults, which may be computed for this shape.
-    pub attributes: Vec<(&'static str, Value)>,
+    pub attributes: Vec<(Text, Value)>,
     /// The values that its rules reported.
     pub reports: Reports,
     /// The tree of its shapes, if [`Settings::tree`](crate::run::settings::Settings::tree) asks for it. `None` after a run that ended early, or if the
@@ -35,7 +35,7 @@ impl Building {
     }
 
     /// The building of a shape.
-    pub(crate) fn of(shape: &Shape, grammar: &'static str) -> Self {
+    pub(crate) fn of(shape: &Shape, grammar: Text) -> Self {
         Building { grammar, ..Building::new(shape.name(), shape.seed_value()) }
     }
 
@@ -58,6 +58,6 @@ impl Building {
 
     /// The value of an attribute.
     pub fn attribute(&self, name: &str) -> Option<&Value> {
-        self.attributes.iter().find(|(known, _)| *known == name).map(|(_, value)| value)
+        self.attributes.iter().find(|(known, _)| known.is(name)).map(|(_, value)| value)
     }
 }

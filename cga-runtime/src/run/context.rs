@@ -245,8 +245,8 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
         let own = if has_own_sets { placed.mesh.corners().len() as u64 } else { 0 };
         env.count_leaf(own, placed.mesh.uv_numbers().count() as u64)?;
     }
-    let rule = env.leaf_tables.names.get(rule as usize).copied().unwrap_or_default();
-    let leaf = Leaf::new(rule, shape.state.material(), &shape.scope);
+    let rule = env.leaf_tables.names.get(rule as usize).cloned().unwrap_or_default();
+    let leaf = Leaf::new(&rule, shape.state.material(), &shape.scope);
     match &shape.geometry {
         Geometry::Rect(axis, unit) => sink.quad(&leaf, &filled_scope::rectangle(&shape.scope, *axis, *unit)),
         Geometry::Box(unit) => sink.cuboid(&leaf, &filled_scope::cuboid(&shape.scope, *unit)),

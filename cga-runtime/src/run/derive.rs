@@ -10,7 +10,7 @@ use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::queries::Queries;
 use crate::run::report::{Print, Report};
-use crate::run::rules::Rules;
+use crate::run::rules::{RuleTables, Rules, StartEntry};
 use crate::run::settings::Settings;
 use crate::run::sink::{Flow, Sink};
 use crate::run::start_rule::StartRule;
@@ -19,13 +19,15 @@ use crate::run::template::Templates;
 use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
 use crate::value::Value;
+use crate::value::text::Text;
 
-/// The start rule of a run: its number, its style and its name.
+/// The start rule of a run: its number, its style and its place.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Start {
     pub(super) rule: u32,
     pub(super) style: u32,
-    pub(super) name: &'static str,
+    /// Its index among the start rules.
+    pub(super) index: usize,
     /// The queries of other shapes that the run can reach.
     pub(crate) queries: Queries,
 }
@@ -95,13 +97,6 @@ impl From<NoResult> for RunOutcome {
     }
 }
 
-/// The names that a grammar has for its buildings.
-pub(crate) struct GrammarNames<'a> {
-    pub(crate) grammar: &'static str,
-    /// The names of attributes by index.
-    pub(crate) attribute: &'a dyn Fn(usize) -> &'static str,
-}
-
 /// A run that can be derived several times.
 pub(crate) struct Derivation<'a, R> {
     pub(crate) rules: &'a R,
@@ -116,7 +111,6 @@ pub(crate) fn run<R: Rules>(
     run: &Derivation<'_, R>,
     neighbours: Option<&Arc<Neighbours>>,
     kept: &mut Kept<R::Call>,
-    names: &GrammarNames<'_>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
     let Derivation { rules, start: Start { rule, style, .. }, shape, settings } = *run;
@@ -140,12 +134,13 @@ pub(crate) fn run<R: Rules>(
     let outcome = outcome(&mut env, flow);
     let keeps_tree = settings.tree && sink.keeps_tree();
     let make = || {
-        let mut building = Building::of(shape, names.grammar);
-        let mut index = 0..;
+        let tables = rules.tables();
+        let mut building = Building::of(shape, tables.name.clone());
+        let mut attributes = tables.attributes.iter();
         // After an error some values may be placeholders.
         if outcome.error.is_none() {
             R::used(&values, style, &mut |value| {
-                let name = index.next().map_or("", names.attribute);
+                let name = attributes.next().map_or_else(Text::default, |attribute| attribute.name.clone());
                 building.attributes.extend(value.map(|value| (name, value)));
             });
         }
@@ -201,11 +196,11 @@ fn outcome(env: &mut Env, flow: Flow) -> RunOutcome {
 /// The values of the attributes of a run on a shape that was checked, without running rules.
 pub(crate) fn used_values<R: Rules>(
     rules: &R,
-    Start { style, name, .. }: Start,
+    start @ Start { style, .. }: Start,
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<Option<Value>>, Error> {
-    let mut env = Env::new(settings, R::NAMES, shape, name);
+    let mut env = start.env(rules, shape, settings);
     let values = rules.values(&mut env, shape, style);
     if let Some(error) = env.error.take() {
         return Err(error);
@@ -221,29 +216,21 @@ pub(crate) fn echo(prints: &[Print]) {
     let _ = prints.iter().try_for_each(|print| writeln!(out, "{print}"));
 }
 
-/// The start rule with a name, or the default one. `Default$Lot` means `Lot`.
-pub(crate) fn start_rule<R: Rules>(name: Option<&str>) -> Result<Start, Error> {
-    let rows = StartRows { rules: R::START_RULES, styles: R::START_STYLES, queries: R::START_QUERIES };
-    find_start(name, R::STARTS, &rows)
-}
+impl Start {
+    /// The start rule with a name, or the default one. `Default$Lot` means `Lot`.
+    pub(crate) fn find(tables: &RuleTables, name: Option<&str>) -> Result<Self, Error> {
+        let index = name.map_or(Ok(0), |name| start_index(name, &tables.starts))?;
+        let entry = tables.entries.get(index).filter(|_| index < tables.starts.len());
+        let StartEntry { rule, style, queries } = *entry.ok_or_else(|| unknown_start("", &tables.starts))?;
+        Ok(Start { rule, style, index, queries: Queries::from_bits(queries) })
+    }
 
-/// The rules, styles and queries of start rules, in their order.
-struct StartRows {
-    rules: &'static [u32],
-    styles: &'static [u32],
-    /// Empty if there are no queries.
-    queries: &'static [u8],
-}
-
-/// The start rule with a name among `starts`, or the first one.
-fn find_start(name: Option<&str>, starts: &[StartRule], rows: &StartRows) -> Result<Start, Error> {
-    let at = name.map_or(Ok(0), |name| start_index(name, starts))?;
-    let start = || {
-        let (rule, style) = (*rows.rules.get(at)?, *rows.styles.get(at)?);
-        let queries = Queries::from_bits(rows.queries.get(at).copied().unwrap_or_default());
-        Some(Start { rule, style, name: starts.get(at)?.name, queries })
-    };
-    start().ok_or_else(|| unknown_start("", starts))
+    /// The state of a run of the rules from it.
+    pub(super) fn env(self, rules: &impl Rules, shape: &Shape, settings: &Settings) -> Env {
+        let tables = rules.tables();
+        let name = tables.starts.get(self.index).map_or_else(Text::default, |start| start.name.clone());
+        Env::new(settings, tables.rules.clone(), shape, name)
+    }
 }
 
 /// The start rule with a name among `starts`.
@@ -253,11 +240,11 @@ pub(crate) fn known_start<'a>(name: &str, starts: &'a [StartRule]) -> Result<&'a
 
 fn start_index(name: &str, starts: &[StartRule]) -> Result<usize, Error> {
     let plain = name.strip_prefix("Default$").unwrap_or(name);
-    let at = starts.iter().position(|start| start.name == name || start.name == plain);
+    let at = starts.iter().position(|start| start.name.is(name) || start.name.is(plain));
     at.ok_or_else(|| unknown_start(name, starts))
 }
 
 fn unknown_start(name: &str, starts: &[StartRule]) -> Error {
-    let known = starts.iter().filter(|start| !start.hidden).map(|start| start.name).collect();
+    let known = starts.iter().filter(|start| !start.hidden).map(|start| start.name.clone()).collect();
     Error::StartRule { name: name.to_owned(), known }
 }

@@ -43,9 +43,10 @@ impl<R: Rules> Derivation<'_, R> {
     /// The state of the run before its first rule. Rules that ask for keys run without templates, which have leaves alone.
     pub(super) fn env(&self, around: Surroundings) -> Env {
         let needs_keys = self.start.queries.has_any(Queries::TREE_KEY | Queries::INTRA_OCCLUSION);
-        let mut env = Env::new(self.settings, R::NAMES, self.shape, self.start.name);
-        env.tags_edges = R::TAGS;
-        env.leaf_tables.names = R::LEAVES.into();
+        let mut env = self.start.env(self.rules, self.shape, self.settings);
+        let tables = self.rules.tables();
+        env.tags_edges = tables.tags;
+        env.leaf_tables.names = tables.leaves.clone();
         if needs_keys {
             env.record_keys();
             env.settings.repeats = Repeats::Direct;

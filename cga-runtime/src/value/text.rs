@@ -1,4 +1,4 @@
-//! Text values in rules: cheap to clone, free for literals.
+//! Text values in rules, and the names of rules and attributes: cheap to clone, free for literals.
 
 use std::fmt;
 use std::sync::Arc;
@@ -14,6 +14,9 @@ enum Repr {
 }
 
 impl Text {
+    /// The empty text.
+    pub(crate) const EMPTY: &'static Text = &Text::fixed("");
+
     /// A literal.
     pub const fn fixed(text: &'static str) -> Self {
         Text(Repr::Fixed(text))
@@ -77,6 +80,12 @@ impl From<String> for Text {
     }
 }
 
+impl From<Text> for String {
+    fn from(text: Text) -> Self {
+        text.as_str().to_owned()
+    }
+}
+
 impl PartialEq for Text {
     fn eq(&self, other: &Self) -> bool {
         self.as_str() == other.as_str()
@@ -84,6 +93,30 @@ impl PartialEq for Text {
 }
 
 impl Eq for Text {}
+
+impl PartialEq<str> for Text {
+    fn eq(&self, other: &str) -> bool {
+        self.as_str() == other
+    }
+}
+
+impl PartialEq<Text> for str {
+    fn eq(&self, other: &Text) -> bool {
+        self == other.as_str()
+    }
+}
+
+impl PartialEq<Text> for &str {
+    fn eq(&self, other: &Text) -> bool {
+        *self == other.as_str()
+    }
+}
+
+impl PartialEq<&str> for Text {
+    fn eq(&self, other: &&str) -> bool {
+        self.as_str() == *other
+    }
+}
 
 impl PartialOrd for Text {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {

@@ -9,6 +9,7 @@ use cga_runtime::output::meshes::{Granularity, MeshLeaf, TriangleMesh};
 use cga_runtime::output::model::Model;
 use cga_runtime::run::sink::{Leaf, Quad, Sink};
 use cga_runtime::shape::scope::Scope;
+use cga_runtime::value::text::Text;
 use glam::{DAffine3, DMat3, DVec3, DVec4, dvec3};
 
 /// The area of some triangles at a place.
@@ -25,7 +26,7 @@ fn area(mesh: &TriangleMesh, indices: &[u32], place: &DAffine3) -> f64 {
 fn with_placements(model: &Model) -> Model {
     let mut all = Model::new();
     for leaf in model {
-        assert!(all.placement(&Leaf::new("Lamp", leaf.material(), &leaf.scope())).is_continue());
+        assert!(all.placement(&Leaf::new(&Text::fixed("Lamp"), leaf.material(), &leaf.scope())).is_continue());
         assert!(leaf.replay(&mut all).is_continue());
     }
     all
@@ -45,7 +46,7 @@ fn every_leaf_has_its_area_at_every_granularity() {
                     let place = mesh.places.get(at).copied().unwrap_or_default();
                     areas[*leaf] += area(mesh, &mesh.indices[indices.clone()], &place);
                     let view = model.leaves().nth(*leaf).expect("a leaf");
-                    assert!(mesh.rule.is_none_or(|rule| rule == view.rule()));
+                    assert!(mesh.rule.as_ref().is_none_or(|rule| *rule == view.rule()));
                     assert_eq!(mesh.rule.is_none(), granularity == Granularity::Material);
                 }
             }
@@ -115,7 +116,7 @@ fn coordinates_and_tangents_are_there_where_a_material_needs_them() {
     let scope = Scope::new(dvec3(2.0, 1.0, 0.0));
     let mut model = Model::new();
     let sets = [cga_runtime::geometry::uv_map::SetMap { set: 0, map }];
-    assert!(model.quad(&Leaf::new("Sign", &material, &scope).with_uvs(&sets), &quad).is_continue());
+    assert!(model.quad(&Leaf::new(&Text::fixed("Sign"), &material, &scope).with_uvs(&sets), &quad).is_continue());
     let meshes = model.meshes(Granularity::Material);
     let mesh = &meshes.list[0];
     assert_eq!(mesh.uvs[0], [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
@@ -150,7 +151,7 @@ fn appended_models_keep_leaves_in_order() {
     sum.append(&one);
     sum.append(&two);
     assert_eq!(sum.len(), one.len() + two.len());
-    let rules = |model: &Model| model.leaves().map(|leaf| leaf.rule()).collect::<Vec<_>>();
+    let rules = |model: &Model| model.leaves().map(|leaf| leaf.rule().to_owned()).collect::<Vec<_>>();
     assert_eq!(rules(&sum), [rules(&one), rules(&two)].concat());
     assert!((sum.area() - one.area() - two.area()).abs() < 1e-9);
     assert_eq!(sum.leaves().next_back().map(|leaf| leaf.rule()), two.leaves().next_back().map(|leaf| leaf.rule()));

@@ -6,6 +6,7 @@ use crate::sink_support::{Fill, color, front, mixed, plate, tower, upright};
 use cga_runtime::output::model::{Geometry, Model};
 use cga_runtime::run::sink::{Leaf, Quad, Sink};
 use cga_runtime::shape::scope::Scope;
+use cga_runtime::value::text::Text;
 use glam::{DAffine3, DMat3, DVec3, dvec3};
 
 #[test]
@@ -38,7 +39,8 @@ fn geometry_that_fills_a_turned_scope_is_exact() {
     let quad = Quad::new(scope.origin, axes.x_axis * 1.1, axes.y_axis * 2.2);
     let mut model = Model::new();
     let white = color(1.0, 1.0, 1.0);
-    let leaf = Leaf::new("Q", &white, &scope);
+    let name = Text::fixed("Q");
+    let leaf = Leaf::new(&name, &white, &scope);
     assert!(model.quad(&leaf, &quad).is_continue());
     let view = model.leaves().next().expect("one leaf");
     assert!(matches!(view.geometry(), Geometry::Quad(same) if same == quad));

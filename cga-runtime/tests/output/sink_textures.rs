@@ -14,6 +14,7 @@ use cga_runtime::output::model::Model;
 use cga_runtime::output::picture::{Camera, Image, Lines, Picture};
 use cga_runtime::run::sink::{Flow, Leaf, Sink};
 use cga_runtime::shape::scope::Scope;
+use cga_runtime::value::text::Text;
 use glam::{DAffine3, DVec3, dvec2, dvec3, dvec4};
 
 /// A separate folder for each test, removed at the end.
@@ -97,7 +98,8 @@ fn fill(sink: &mut impl Sink, sets: &[usize], as_meshes: bool) {
     let (material, maps) = (look(|look| look.texture = Some("builtin:uvtest.png".into())), maps(sets));
     let (quad, cuboid) = (front(dvec3(1.0, 2.0, 3.0), 4.0, 5.0), upright(dvec3(7.0, 0.0, 0.0), dvec3(1.0, 2.0, 3.0)));
     let scopes = [dvec3(4.0, 5.0, 0.0), dvec3(1.0, 2.0, 3.0)].map(Scope::new);
-    let leaf = |at: usize| Leaf::new("Leaf", &material, &scopes[at]).with_uvs(&maps);
+    let name = Text::fixed("Leaf");
+    let leaf = |at: usize| Leaf::new(&name, &material, &scopes[at]).with_uvs(&maps);
     let flow = if as_meshes {
         let mut sink = Meshes(sink);
         [sink.quad(&leaf(0), &quad), sink.cuboid(&leaf(1), &cuboid)]
@@ -377,7 +379,7 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     let maps = [SetMap { set: 0, map: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) } }];
     let mut model = Model::new();
     let (scope, quad) = (Scope::new(dvec3(2.0, 2.0, 0.0)), front(DVec3::ZERO, 2.0, 2.0));
-    assert!(model.quad(&Leaf::new("Square", &material, &scope).with_uvs(&maps), &quad).is_continue());
+    assert!(model.quad(&Leaf::new(&Text::fixed("Square"), &material, &scope).with_uvs(&maps), &quad).is_continue());
     assert!(picture(&model, SIDE) == image);
     // Without coordinates it has the colour of the material.
     let plain = picture(&shown(&Arc::default(), &material, &[]), SIDE);

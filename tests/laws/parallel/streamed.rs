@@ -5,14 +5,14 @@ use std::sync::Mutex;
 
 use cga::mesh::FaceTag;
 use cga::sink::buffers::{Buffers, Chunks, Submesh, Vertex};
-use cga::{Flow, Material, Mesh, MeshBuilder, Settings, Shape, Sink, cga};
+use cga::{Flow, Material, Mesh, MeshBuilder, Settings, Shape, Sink, Text, cga};
 
 use super::THREADS;
 use super::grammars::{cases, settings};
 use crate::laws::with_threads;
 
 /// A triangle with all that is known of it.
-pub(crate) type Triangle = ([[u32; 8]; 3], &'static str, Material);
+pub(crate) type Triangle = ([[u32; 8]; 3], Text, Material);
 
 /// The triangles of buffers, in order.
 pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
@@ -23,10 +23,10 @@ pub(crate) fn triangles(buffers: &Buffers) -> Vec<Triangle> {
     };
     let of = |submesh: Submesh| {
         let (rule, material) =
-            (buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
+            (&buffers.rules()[submesh.rule as usize], &buffers.materials()[submesh.material as usize]);
         let (triangles, rest) = buffers.indices()[submesh.indices].as_chunks::<3>();
         assert!(rest.is_empty());
-        triangles.iter().map(move |t| (t.map(corner), rule, Material::clone(material))).collect::<Vec<_>>()
+        triangles.iter().map(move |t| (t.map(corner), rule.clone(), Material::clone(material))).collect::<Vec<_>>()
     };
     assert!(buffers.uvs().is_empty() || buffers.uvs().len() == buffers.vertices().len());
     assert!(buffers.indices().iter().all(|&index| (index as usize) < buffers.vertices().len()));

@@ -3,8 +3,8 @@
 use crate::random::Random;
 use cga::glam::DAffine3;
 use cga::{
-    Attribute, AttributeDefault, ChoiceValues, Error, Flow, Grammar, Leaf, Limits, Mesh, Report, Settings, Shape, Sink,
-    Value,
+    Attribute, ChoiceValues, Error, Flow, Grammar, Leaf, Limits, Mesh, Report, Settings, Shape, Sink, Text, Value,
+    ValueType,
 };
 use std::collections::BTreeSet;
 use std::ops::ControlFlow;
@@ -60,7 +60,7 @@ pub(crate) struct Run {
     /// True if the run reached its end, so that all its prints are here.
     pub(crate) whole: bool,
     /// The rules on the way to the limit that ended it. Then nothing that was printed is known.
-    pub(crate) limit: Option<Vec<&'static str>>,
+    pub(crate) limit: Option<Vec<Text>>,
     /// The places it came by.
     pub(crate) marks: BTreeSet<u32>,
     pub(crate) splits: Vec<Seen>,
@@ -132,12 +132,12 @@ pub(crate) fn prepare(grammar: &mut dyn Grammar, random: &mut Random, usual: boo
 /// Sets attributes to anything that is accepted; says what.
 fn attributes(grammar: &mut dyn Grammar, random: &mut Random) -> String {
     let mut given = Vec::new();
-    for attribute in grammar.attributes() {
+    for attribute in &grammar.attributes().to_vec() {
         if attribute.name == "at" || random.below(4) == 0 {
             continue;
         }
         let value = value(attribute, random);
-        if grammar.set(attribute.name, value.clone()).is_ok() {
+        if grammar.set(&attribute.name, value.clone()).is_ok() {
             given.push(format!("{} = {value:?}", attribute.name));
         }
     }
@@ -145,9 +145,9 @@ fn attributes(grammar: &mut dyn Grammar, random: &mut Random) -> String {
 }
 
 fn value(attribute: &Attribute, random: &mut Random) -> Value {
-    match (attribute.default, attribute.range, attribute.choices.map(|choices| choices.values)) {
-        (AttributeDefault::Bool(_), ..) => Value::Bool(random.below(2) == 0),
-        (_, _, Some(ChoiceValues::Texts(list))) => Value::from(*random.pick(list)),
+    match (attribute.ty, attribute.range, attribute.choices.as_ref().map(|choices| &choices.values)) {
+        (ValueType::Bool, ..) => Value::Bool(random.below(2) == 0),
+        (_, _, Some(ChoiceValues::Texts(list))) => Value::Text(random.pick(list).clone()),
         (_, _, Some(ChoiceValues::Floats(list))) => Value::Float(*random.pick(list)),
         (_, Some(range), _) if range.restricted => {
             Value::Float(range.min + (range.max - range.min) * random.below(5) as f64 / 4.0)

@@ -34,7 +34,9 @@ cga! {
 
 /// The leaves of a start rule, by name.
 fn counts(start: &str, shape: &Shape) -> Vec<(&'static str, usize)> {
-    let mut counts = run(&Tags::default() as &dyn Grammar, start, shape).counts();
+    let model = run(&Tags::default() as &dyn Grammar, start, shape);
+    let mut counts: Vec<_> =
+        model.counts().into_iter().map(|(rule, count)| (&*rule.to_owned().leak(), count)).collect();
     counts.sort_unstable();
     counts
 }

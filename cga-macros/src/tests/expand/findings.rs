@@ -27,10 +27,10 @@ const _: () = {
     impl cga_rt::Unrunnable for Tower {}
     #[automatically_derived]
     impl cga_rt::Grammar for Tower {
-        fn name(&self) -> &'static ::core::primitive::str {
+        fn name(&self) -> &::core::primitive::str {
             "Tower"
         }
-        fn attributes(&self) -> &'static [cga_rt::Attribute] {
+        fn attributes(&self) -> &[cga_rt::Attribute] {
             &[]
         }
         fn attribute_get(
@@ -53,12 +53,12 @@ const _: () = {
             _: &cga_rt::Shape,
             _: &cga_rt::Settings,
         ) -> ::core::result::Result<
-            cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>,
+            cga_rt::Vec<(cga_rt::Text, cga_rt::Value)>,
             cga_rt::Error,
         > {
             ::core::unreachable!("the rules have errors")
         }
-        fn start_rules(&self) -> &'static [cga_rt::StartRule] {
+        fn start_rules(&self) -> &[cga_rt::StartRule] {
             &[]
         }
         fn run(

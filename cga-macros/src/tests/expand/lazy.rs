@@ -5,7 +5,7 @@ impl CgaValues {
         g.attr_1
             .get(
                 env,
-                "a",
+                cga_rt::Text::fixed("a"),
                 2064,
                 |env| {
                     let shape = &mut g.origin.global(3826002220u32);
@@ -22,7 +22,7 @@ impl CgaValues {
         g.attr_2
             .get(
                 env,
-                "b",
+                cga_rt::Text::fixed("b"),
                 2064,
                 |env| {
                     let shape = &mut g.origin.global(3876335077u32);
@@ -39,12 +39,22 @@ impl CgaValues {
 impl cga_rt::Rules for CgaGrammar {
     type Values = CgaValues;
     type Call = CgaCall;
-    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot"];
-    const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
-    const TAGS: ::core::primitive::bool = false;
-    const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
-    const START_RULES: &'static [::core::primitive::u32] = &[0u32];
-    const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
+    fn tables(&self) -> &cga_rt::RuleTables {
+        static TABLES: cga_rt::LazyLock<cga_rt::RuleTables> = cga_rt::LazyLock::new(|| cga_rt::RuleTables {
+            name: cga_rt::Text::fixed(""),
+            rules: cga_rt::names(&["Lot"]),
+            leaves: cga_rt::names(&["X"]),
+            tags: false,
+            starts: cga_rt::list([cga_rt::StartRule::new("Lot")]),
+            entries: cga_rt::entries(&[(0, 0, 0)]),
+            attributes: cga_rt::list([
+                cga_rt::Attribute::new("mode", cga_rt::Value::Float(1f64)),
+                cga_rt::Attribute::computed("a", cga_rt::ValueType::Float),
+                cga_rt::Attribute::computed("b", cga_rt::ValueType::Float),
+            ]),
+        });
+        &TABLES
+    }
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
         ::core::result::Result::Ok(())
     }

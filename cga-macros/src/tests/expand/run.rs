@@ -2,12 +2,26 @@
 impl cga_rt::Rules for Tower {
     type Values = CgaValues;
     type Call = CgaCall;
-    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Again"];
-    const LEAVES: &'static [&'static ::core::primitive::str] = &["X"];
-    const TAGS: ::core::primitive::bool = false;
-    const STARTS: &'static [cga_rt::StartRule] = &[cga_rt::StartRule::new("Lot")];
-    const START_RULES: &'static [::core::primitive::u32] = &[0u32];
-    const START_STYLES: &'static [::core::primitive::u32] = &[0u32];
+    fn tables(&self) -> &cga_rt::RuleTables {
+        static TABLES: cga_rt::LazyLock<cga_rt::RuleTables> = cga_rt::LazyLock::new(|| cga_rt::RuleTables {
+            name: cga_rt::Text::fixed("Tower"),
+            rules: cga_rt::names(&["Lot", "Again"]),
+            leaves: cga_rt::names(&["X"]),
+            tags: false,
+            starts: cga_rt::list([cga_rt::StartRule::new("Lot")]),
+            entries: cga_rt::entries(&[(0, 0, 0)]),
+            attributes: cga_rt::list([
+                cga_rt::Attribute::new("share", cga_rt::Value::Float(0.5f64))
+                    .range(cga_rt::Range::new(0f64, 1f64, 0f64, true)),
+                cga_rt::Attribute::new(
+                    "name",
+                    cga_rt::Value::Text(cga_rt::Text::fixed("x")),
+                ),
+                cga_rt::Attribute::computed("drawn", cga_rt::ValueType::Float),
+            ]),
+        });
+        &TABLES
+    }
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
         cga_rt::check(self)
     }

@@ -2,17 +2,29 @@
 impl cga_rt::Rules for Tower {
     type Values = CgaValues;
     type Call = CgaCall;
-    const NAMES: &'static [&'static ::core::primitive::str] = &["Lot", "Roof", "Lot/1"];
-    const LEAVES: &'static [&'static ::core::primitive::str] = &["Y", "X"];
-    const TAGS: ::core::primitive::bool = false;
-    const STARTS: &'static [cga_rt::StartRule] = &[
-        cga_rt::StartRule::new("Lot"),
-        cga_rt::StartRule::new("Roof"),
-        cga_rt::StartRule::new("Tall$Lot"),
-        cga_rt::StartRule::new("Tall$Roof"),
-    ];
-    const START_RULES: &'static [::core::primitive::u32] = &[0u32, 1u32, 0u32, 1u32];
-    const START_STYLES: &'static [::core::primitive::u32] = &[0u32, 0u32, 1u32, 1u32];
+    fn tables(&self) -> &cga_rt::RuleTables {
+        static TABLES: cga_rt::LazyLock<cga_rt::RuleTables> = cga_rt::LazyLock::new(|| cga_rt::RuleTables {
+            name: cga_rt::Text::fixed("Tower"),
+            rules: cga_rt::names(&["Lot", "Roof", "Lot/1"]),
+            leaves: cga_rt::names(&["Y", "X"]),
+            tags: false,
+            starts: cga_rt::list([
+                cga_rt::StartRule::new("Lot"),
+                cga_rt::StartRule::new("Roof"),
+                cga_rt::StartRule::new("Tall$Lot"),
+                cga_rt::StartRule::new("Tall$Roof"),
+            ]),
+            entries: cga_rt::entries(&[(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]),
+            attributes: cga_rt::list([
+                cga_rt::Attribute::computed("h", cga_rt::ValueType::Float),
+                cga_rt::Attribute::new(
+                    "label",
+                    cga_rt::Value::Text(cga_rt::Text::fixed("a")),
+                ),
+            ]),
+        });
+        &TABLES
+    }
     fn check(&self) -> ::core::result::Result<(), cga_rt::Error> {
         ::core::result::Result::Ok(())
     }

@@ -1,57 +1,10 @@
 #[automatically_derived]
 impl cga_rt::Grammar for Tower {
-    fn name(&self) -> &'static ::core::primitive::str {
+    fn name(&self) -> &::core::primitive::str {
         "Tower"
     }
-    fn attributes(&self) -> &'static [cga_rt::Attribute] {
-        const {
-            &[
-                cga_rt::Attribute::new(
-                        "share",
-                        cga_rt::AttributeDefault::Float(
-                            ::core::option::Option::Some(0.5f64),
-                        ),
-                    )
-                    .range(cga_rt::Range::new(0f64, 1f64, 0f64, false))
-                    .group(&["Size", "Main"])
-                    .about("How much.")
-                    .order(3f64),
-                cga_rt::Attribute::new(
-                        "drawn",
-                        cga_rt::AttributeDefault::Float(::core::option::Option::None),
-                    )
-                    .group(&["Size", "Main"])
-                    .hidden(),
-                cga_rt::Attribute::new(
-                        "wall",
-                        cga_rt::AttributeDefault::Text(
-                            ::core::option::Option::Some("brick"),
-                        ),
-                    )
-                    .display_name("Outer wall")
-                    .choices(
-                        cga_rt::Choices::new(
-                            cga_rt::ChoiceValues::Texts(&["brick", "glass"]),
-                            true,
-                        ),
-                    )
-                    .group(&["Look"])
-                    .group_order(2f64),
-                cga_rt::Attribute::new(
-                        "image",
-                        cga_rt::AttributeDefault::Text(::core::option::Option::None),
-                    )
-                    .choices(
-                        cga_rt::Choices::new(
-                            cga_rt::ChoiceValues::Attribute("wall"),
-                            false,
-                        ),
-                    )
-                    .kind(cga_rt::AttributeKind::File(&["png", "jpg"]))
-                    .group(&["Look"])
-                    .group_order(2f64),
-            ]
-        }
+    fn attributes(&self) -> &[cga_rt::Attribute] {
+        &cga_rt::Rules::tables(self).attributes
     }
     fn attribute_get(
         &self,
@@ -93,13 +46,13 @@ impl cga_rt::Grammar for Tower {
         shape: &cga_rt::Shape,
         settings: &cga_rt::Settings,
     ) -> ::core::result::Result<
-        cga_rt::Vec<(&'static ::core::primitive::str, cga_rt::Value)>,
+        cga_rt::Vec<(cga_rt::Text, cga_rt::Value)>,
         cga_rt::Error,
     > {
         cga_rt::used_values(self, shape, settings)
     }
-    fn start_rules(&self) -> &'static [cga_rt::StartRule] {
-        <Self as cga_rt::Rules>::STARTS
+    fn start_rules(&self) -> &[cga_rt::StartRule] {
+        &cga_rt::Rules::tables(self).starts
     }
     fn run(
         &self,

@@ -4,6 +4,7 @@ use crate::value::shown::shown;
 use std::fmt;
 
 use super::Range;
+use crate::value::text::Text;
 use crate::value::{Value, ValueType};
 
 /// The reason why an attribute cannot be read or set by its name.
@@ -15,17 +16,17 @@ pub enum AttributeError {
         /// The requested name.
         name: String,
         /// The nearest name of an attribute, if one is near enough.
-        near: Option<&'static str>,
+        near: Option<Text>,
     },
     /// The attribute has no value before a run: its default is computed for each initial shape.
     Computed {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
     },
     /// The value has another type than the attribute.
     Type {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
         /// The type of the attribute.
         wanted: ValueType,
         /// The type of the value.
@@ -34,7 +35,7 @@ pub enum AttributeError {
     /// The text cannot be read as a value of the attribute's type.
     Text {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
         /// The type of the attribute.
         wanted: ValueType,
         /// The text.
@@ -49,7 +50,7 @@ pub enum AttributeError {
     /// The value, or an element of it, is outside of its restricted range.
     Range {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
         /// The number.
         value: f64,
         /// The range.
@@ -58,7 +59,7 @@ pub enum AttributeError {
     /// The value, or an element of it, is not among its restricted choices.
     Choice {
         /// The name of the attribute.
-        name: &'static str,
+        name: Text,
         /// The value or the element.
         value: Value,
         /// The choices.

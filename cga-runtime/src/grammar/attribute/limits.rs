@@ -22,28 +22,28 @@ pub struct Range {
 }
 
 /// The choices of `@Enum(…)` (*annotations*). Each element of an array is one of them.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Choices {
     /// The values.
     pub values: ChoiceValues,
     /// The names of the values in old files, as in `@Range(few = 1, many = 5)`: empty, or one for each value.
-    pub labels: &'static [&'static str],
+    pub labels: Vec<Text>,
     /// True if a run refuses other values, under the conditions of [`Range::restricted`].
     pub restricted: bool,
 }
 
 /// The values of [`Choices`].
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ChoiceValues {
     /// Numbers.
-    Floats(&'static [f64]),
+    Floats(Vec<f64>),
     /// Texts.
-    Texts(&'static [&'static str]),
+    Texts(Vec<Text>),
     /// The value of the attribute with that name, or the elements of its array. Every value is allowed while that
     /// attribute is computed for each initial shape.
-    Attribute(&'static str),
+    Attribute(Text),
 }
 
 impl Range {
@@ -60,14 +60,14 @@ impl Range {
 
 impl Choices {
     /// The choices `values`. If `restricted`, other values are refused.
-    pub const fn new(values: ChoiceValues, restricted: bool) -> Self {
-        Choices { values, labels: &[], restricted }
+    pub fn new(values: ChoiceValues, restricted: bool) -> Self {
+        Choices { values, labels: Vec::new(), restricted }
     }
 
     /// Adds names for the values.
     #[must_use]
-    pub const fn labels(self, labels: &'static [&'static str]) -> Self {
-        Choices { labels, ..self }
+    pub fn labels(self, labels: impl IntoIterator<Item = impl Into<Text>>) -> Self {
+        Choices { labels: labels.into_iter().map(Into::into).collect(), ..self }
     }
 
     /// The values. For the values of another attribute, `None` while the grammar has no value of it.
@@ -77,9 +77,9 @@ impl Choices {
 
     /// The values, with a function that has the values of attributes by name.
     pub(crate) fn of_values(&self, get: &dyn Fn(&str) -> Option<Value>) -> Option<Vec<Value>> {
-        match self.values {
+        match &self.values {
             ChoiceValues::Floats(list) => Some(list.iter().map(|&number| Value::Float(number)).collect()),
-            ChoiceValues::Texts(list) => Some(list.iter().map(|&text| Value::Text(Text::fixed(text))).collect()),
+            ChoiceValues::Texts(list) => Some(list.iter().map(|text| Value::Text(text.clone())).collect()),
             ChoiceValues::Attribute(name) => get(name).map(|value| elements(&value)),
         }
     }
@@ -88,26 +88,27 @@ impl Choices {
 impl Attribute {
     /// Returns true if some values of the attribute's type may be refused.
     fn is_restricted(&self) -> bool {
-        self.range.is_some_and(|range| range.restricted) || self.choices.is_some_and(|choices| choices.restricted)
+        self.range.is_some_and(|range| range.restricted)
+            || self.choices.as_ref().is_some_and(|choices| choices.restricted)
     }
 
     /// Returns true if the value is the attribute's default. Old files have defaults that their annotations refuse.
     /// Setting such a default is not an error.
     fn is_default(&self, value: &Value) -> bool {
-        self.default.value().as_ref() == Some(value)
+        self.default.as_ref() == Some(value)
     }
 
     /// Checks the type of a value.
     pub(crate) fn has_type_of(&self, value: &Value) -> Result<(), AttributeError> {
-        let (wanted, got) = (self.ty(), value.ty());
-        if got == wanted { Ok(()) } else { Err(AttributeError::Type { name: self.name, wanted, got }) }
+        let (wanted, got) = (self.ty, value.ty());
+        if got == wanted { Ok(()) } else { Err(AttributeError::Type { name: self.name.clone(), wanted, got }) }
     }
 
     /// Checks whether the host program may set the attribute to a value. Choices may depend on other attributes, whose
     /// values `get` has by name.
     pub(crate) fn allows(&self, value: &Value, get: &dyn Fn(&str) -> Option<Value>) -> Result<(), AttributeError> {
         self.has_type_of(value)?;
-        let name = self.name;
+        let name = || self.name.clone();
         if !self.is_restricted() || self.is_default(value) {
             return Ok(());
         }
@@ -116,17 +117,17 @@ impl Attribute {
             for element in &elements {
                 match *element {
                     Value::Float(value) if !range.contains(value) => {
-                        return Err(AttributeError::Range { name, value, range });
+                        return Err(AttributeError::Range { name: name(), value, range });
                     }
                     _ => {}
                 }
             }
         }
-        let choices = self.choices.filter(|choices| choices.restricted);
+        let choices = self.choices.as_ref().filter(|choices| choices.restricted);
         if let Some(choices) = choices.and_then(|choices| choices.of_values(get)) {
             for value in elements {
                 if !choices.contains(&value) {
-                    return Err(AttributeError::Choice { name, value, choices });
+                    return Err(AttributeError::Choice { name: name(), value, choices });
                 }
             }
         }
@@ -164,7 +165,8 @@ fn check_all(
         if attribute.is_restricted()
             && let Some(value) = own(index)
         {
-            let refused = |error: AttributeError| Error::Attribute { name: attribute.name, message: error.reason() };
+            let refused =
+                |error: AttributeError| Error::Attribute { name: attribute.name.clone(), message: error.reason() };
             attribute.allows(&value, get).map_err(refused)?;
         }
     }

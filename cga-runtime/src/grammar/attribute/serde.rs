@@ -3,18 +3,11 @@
 use serde::Serialize;
 use serde::ser::{SerializeStruct, Serializer};
 
-use super::{Attribute, AttributeDefault, AttributeKind, ChoiceValues, Choices, Range};
+use super::{Attribute, AttributeKind, ChoiceValues, Choices, Range};
 
 impl Serialize for AttributeKind {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(self.name())
-    }
-}
-
-/// The value; null if it is computed for each initial shape.
-impl Serialize for AttributeDefault {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        self.value().serialize(serializer)
     }
 }
 
@@ -48,7 +41,7 @@ impl Serialize for Choices {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut row = serializer.serialize_struct("Choices", 3)?;
         row.serialize_field("values", &self.values)?;
-        row.serialize_field("labels", self.labels)?;
+        row.serialize_field("labels", &self.labels)?;
         row.serialize_field("restricted", &self.restricted)?;
         row.end()
     }
@@ -57,22 +50,22 @@ impl Serialize for Choices {
 /// The fields, the type of the values (`type`), and the file name endings of `@File` (`endings`).
 impl Serialize for Attribute {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let endings = match self.kind {
-            AttributeKind::File(endings) => endings,
+        let endings = match &self.kind {
+            AttributeKind::File(endings) => endings.as_slice(),
             _ => &[],
         };
         let mut row = serializer.serialize_struct("Attribute", 13)?;
-        row.serialize_field("name", self.name)?;
-        row.serialize_field("display_name", self.display_name)?;
-        row.serialize_field("type", &self.ty())?;
+        row.serialize_field("name", &self.name)?;
+        row.serialize_field("display_name", &self.display_name)?;
+        row.serialize_field("type", &self.ty)?;
         row.serialize_field("default", &self.default)?;
         row.serialize_field("range", &self.range)?;
         row.serialize_field("choices", &self.choices)?;
         row.serialize_field("kind", &self.kind)?;
         row.serialize_field("endings", endings)?;
-        row.serialize_field("group", self.group)?;
+        row.serialize_field("group", &self.group)?;
         row.serialize_field("group_order", &self.group_order)?;
-        row.serialize_field("about", self.about)?;
+        row.serialize_field("about", &self.about)?;
         row.serialize_field("order", &self.order)?;
         row.serialize_field("hidden", &self.hidden)?;
         row.end()

@@ -183,7 +183,7 @@ mod tests {
         let to = glam::DAffine3 { matrix3: DMat3::from_diagonal(scale), translation: LOW - unit.bounds().low * scale };
         let assets = Assets::new().with("asset.obj", unit.map(&to));
         let settings = Settings { assets: Arc::new(assets), ..Settings::default() };
-        Env::new(&settings, &["Lot"], &Shape::rectangle(1.0, 1.0), "Lot")
+        Env::with_names(&settings, &["Lot"], &Shape::rectangle(1.0, 1.0), "Lot")
     }
 
     fn inserted(size: [f64; 3], up: UpAxis, mode: InsertMode) -> Shape {
@@ -280,7 +280,7 @@ mod tests {
             (0.000_67, CleanupMode::NoCleanup, 10),
         ] {
             let assets = Assets::new().with("a.obj", chamfered(short));
-            let env = &mut Env::new(
+            let env = &mut Env::with_names(
                 &Settings { assets: Arc::new(assets), ..Settings::default() },
                 &["Lot"],
                 &Shape::rectangle(1.0, 1.0),

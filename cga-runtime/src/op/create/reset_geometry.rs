@@ -37,7 +37,7 @@ mod tests {
         let corners = [(0.0, 9.0), (8.0, 9.0), (6.0, 0.0), (0.0, 0.0)].map(|(x, z)| glam::DVec3::new(x, 1.0, z));
         let mesh = Mesh::from_polygon(&corners, &[]).unwrap();
         let initial = Shape::mesh(mesh.with_uv_set(3, vec![DVec2::ONE; 4])).named("Lot");
-        let env = &mut Env::new(&Settings::default(), &["Lot"], &initial, "Lot");
+        let env = &mut Env::with_names(&Settings::default(), &["Lot"], &initial, "Lot");
         let mut shape = initial.clone();
         op::color_rgb(env, &mut shape, 1.0, 0.0, 0.0);
         op::translate(env, &mut shape, op::Length::Absolute(5.0), op::Length::Absolute(1.0), op::Length::Absolute(2.0));

@@ -60,7 +60,7 @@ mod tests {
     fn setting() -> (Env, Shape) {
         let mut start = Shape::rectangle(4.0, 3.0).at([10.0, 20.0, 30.0]);
         start.pivot.axes = turn(10.0, 20.0, 30.0);
-        let mut env = Env::new(&crate::run::settings::Settings::default(), &["Lot"], &start, "Lot");
+        let mut env = Env::with_names(&crate::run::settings::Settings::default(), &["Lot"], &start, "Lot");
         let mut shape = start.clone();
         shape.pivot.axes = turn(0.0, 45.0, 5.0);
         shape.pivot.origin = DVec3::new(-1.0, 2.0, 3.0);

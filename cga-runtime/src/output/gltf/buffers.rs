@@ -38,7 +38,7 @@ impl Glb {
             }
             for submesh in submeshes {
                 let table = &mut self.numbers.table;
-                let rule = table.rule(buffers.rules()[submesh.rule as usize]);
+                let rule = table.rule(&buffers.rules()[submesh.rule as usize]);
                 let material = table.material(&buffers.materials()[submesh.material as usize]);
                 self.add(submesh.vertices.len(), submesh.indices.len(), sets.sets().count())?;
                 let owner = self.owner(rule);

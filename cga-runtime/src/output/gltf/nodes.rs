@@ -51,7 +51,7 @@ pub(super) fn name(glb: &Glb, mesh: &SceneMesh) -> String {
     match (mesh.building, &mesh.places, mesh.rule()) {
         (Some(building), ..) if !glb.division.by_rule => building_name(glb, building),
         (_, MeshPlacement::Root, _) | (.., None) => of_file(),
-        (.., Some(rule)) => glb.numbers.table.rules()[rule as usize].to_owned(),
+        (.., Some(rule)) => glb.numbers.table.rules()[rule as usize].to_string(),
     }
 }
 
@@ -151,7 +151,7 @@ fn placement(glb: &Glb, owner: Owner, scope: &Scope, tables: &Tables) -> Node {
     let members = format!(
         ",\"translation\":[{translation}],\"rotation\":[{rotation}],\"extras\":{{\"size\":[{size}]{building}}}"
     );
-    Node::new(glb.numbers.table.rules()[owner.rule as usize], members)
+    Node::new(&glb.numbers.table.rules()[owner.rule as usize], members)
 }
 
 /// The data of a building, as custom properties of its node.
@@ -164,6 +164,6 @@ fn building_extras(building: &Building) -> String {
     let reports = joined(building.report_values().iter().map(|(key, value)| member((key, value))));
     format!(
         "{{\"grammar\":{},\"seed\":{seed},\"attributes\":{{{attributes}}},\"reports\":{{{reports}}}}}",
-        quoted(building.grammar),
+        quoted(&building.grammar),
     )
 }

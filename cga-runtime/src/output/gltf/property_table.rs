@@ -59,14 +59,18 @@ const FLOATS64: &str = "\"type\":\"SCALAR\",\"componentType\":\"FLOAT64\",\"arra
 
 impl PropertyTable {
     /// A table with the name of each rule.
-    pub(super) fn of_rules(rules: &[&str]) -> Self {
-        PropertyTable { class: "rule", rows: rules.len(), columns: vec![Column::texts("name", rules, None)] }
+    pub(super) fn of_rules(rules: &[Text]) -> Self {
+        PropertyTable {
+            class: "rule",
+            rows: rules.len(),
+            columns: vec![Column::texts("name", &rules.iter().map(Text::as_str).collect::<Vec<_>>(), None)],
+        }
     }
 
     /// A table with the name, the grammar, the seed, the attributes and the reports of each building.
     pub(super) fn of_buildings(buildings: &[Building]) -> Self {
         let names: Vec<&str> = buildings.iter().map(|building| building.name.as_str()).collect();
-        let grammars: Vec<&str> = buildings.iter().map(|building| building.grammar).collect();
+        let grammars: Vec<&str> = buildings.iter().map(|building| building.grammar.as_str()).collect();
         let seeds = buildings.iter().flat_map(|building| building.seed.to_le_bytes()).collect();
         let mut columns = vec![
             Column::texts("name", &names, None),
@@ -155,10 +159,9 @@ fn by_name<'a>(rows: usize, cells: impl Iterator<Item = (usize, &'a str, Value)>
 }
 
 fn attributes(buildings: &[Building]) -> Columns<'_> {
-    let cells = buildings
-        .iter()
-        .enumerate()
-        .flat_map(|(row, building)| building.attributes.iter().map(move |(name, value)| (row, *name, value.clone())));
+    let cells = buildings.iter().enumerate().flat_map(|(row, building)| {
+        building.attributes.iter().map(move |(name, value)| (row, name.as_str(), value.clone()))
+    });
     by_name(buildings.len(), cells)
 }
 
@@ -368,10 +371,10 @@ mod tests {
     fn names_are_identifiers_and_differ() {
         let building = Building {
             attributes: vec![
-                ("name", Value::from("a")),
-                ("imp.height", Value::Float(1.0)),
-                ("imp_height", Value::Float(2.0)),
-                ("9", Value::Bool(true)),
+                ("name".into(), Value::from("a")),
+                ("imp.height".into(), Value::Float(1.0)),
+                ("imp_height".into(), Value::Float(2.0)),
+                ("9".into(), Value::Bool(true)),
             ],
             ..Building::new("b", 1)
         };

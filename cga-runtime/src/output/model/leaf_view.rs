@@ -15,6 +15,7 @@ use crate::run::shape_tree::ShapeNode;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
+use crate::value::text::Text;
 
 /// The geometry of a leaf, in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,8 +52,12 @@ pub struct LeafView<'a> {
 
 impl<'a> LeafView<'a> {
     /// The name of the rule or leaf symbol, without the dot.
-    pub fn rule(&self) -> &'static str {
-        self.model.numbers.table.rules()[self.record.rule as usize]
+    pub fn rule(&self) -> &'a str {
+        self.name()
+    }
+
+    fn name(&self) -> &'a Text {
+        &self.model.numbers.table.rules()[self.record.rule as usize]
     }
 
     /// The material set by rules.
@@ -130,7 +135,7 @@ impl<'a> LeafView<'a> {
     }
 
     fn leaf(&self) -> Leaf<'_> {
-        Leaf::new(self.rule(), self.material(), &self.record.scope).with_uvs(self.uvs())
+        Leaf::new(self.name(), self.material(), &self.record.scope).with_uvs(self.uvs())
     }
 
     /// The geometry as a mesh with its texture coordinates, and the map from the mesh's coordinates to the world.

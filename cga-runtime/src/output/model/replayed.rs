@@ -42,7 +42,7 @@ struct ReplayedRun {
 
 impl ReplayedRun {
     fn of(model: &Model) -> Self {
-        let mut tables = LeafTables { names: model.rules().to_vec().into(), ..LeafTables::default() };
+        let mut tables = LeafTables { names: model.rules().into(), ..LeafTables::default() };
         let look = |material: &Arc<_>| {
             let look = Look { material: Arc::clone(material), ..Look::default() };
             tables.looks.number(&Arc::new(look))

@@ -4,6 +4,7 @@ use super::{ENDED, Env};
 use crate::fault::{Error, LimitKind};
 use crate::geometry::work;
 use crate::run::sink::Flow;
+use crate::value::text::Text;
 
 /// The largest nesting of functions that reserve stack, as CGA documents it (*CGA changelog 2014.1*).
 const DEEPEST_CALLS: u32 = 1024;
@@ -22,7 +23,7 @@ pub(crate) struct FunctionCalls {
     stack: u32,
     pub(crate) made: u64,
     /// The lazy attributes and constants that are being computed, from the outermost on.
-    pub(crate) open: Vec<&'static str>,
+    pub(crate) open: Vec<Text>,
 }
 
 impl Env {
@@ -47,8 +48,8 @@ impl Env {
 
     /// Ends the run because a lazy attribute or constant needs its own value.
     #[cold]
-    pub(crate) fn close_cycle(&mut self, name: &'static str) {
-        let first = self.calls.open.iter().rposition(|open| *open == name).unwrap_or(0);
+    pub(crate) fn close_cycle(&mut self, name: &Text) {
+        let first = self.calls.open.iter().rposition(|open| open == name).unwrap_or(0);
         let names = self.calls.open[first..].to_vec();
         self.error.get_or_insert(Error::Cycle { names });
         self.shapes = ENDED;

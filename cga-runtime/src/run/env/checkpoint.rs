@@ -181,7 +181,7 @@ mod tests {
 
     fn env(limits: Limits, watch: Option<Watch>) -> Env {
         let settings = Settings { limits, watch, ..Settings::default() };
-        Env::new(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+        Env::with_names(&settings, &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
     }
 
     fn count(env: &mut Env, shapes: u64) -> Flow {

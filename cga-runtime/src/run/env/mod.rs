@@ -63,7 +63,7 @@ pub struct Env {
     pub(crate) initial: Initial,
     /// True if operations tag the edges that they make (*Geometry tagging*, auto-tags on edges).
     pub(crate) tags_edges: bool,
-    names: &'static [&'static str],
+    names: Arc<[Text]>,
     /// The names and looks of leaves, by number.
     pub(crate) leaf_tables: LeafTables,
     /// The number of the run in its session.
@@ -109,7 +109,7 @@ pub(crate) struct Initial {
     /// The frame of object coordinates: the initial shape's pivot (*initialShape attribute*).
     pub(crate) object: Frame,
     pub(crate) name: Text,
-    pub(crate) start_rule: &'static str,
+    pub(crate) start_rule: Text,
     /// The streets at its edges, if any.
     pub(crate) streets: Option<Arc<Streets>>,
     /// True if boxes and rectangles are held as meshes.
@@ -120,12 +120,7 @@ pub(crate) struct Initial {
 
 impl Env {
     /// The state of a run from that shape, with that start rule; `names` are the names of all rules.
-    pub(crate) fn new(
-        settings: &Settings,
-        names: &'static [&'static str],
-        shape: &Shape,
-        start_rule: &'static str,
-    ) -> Self {
+    pub(crate) fn new(settings: &Settings, names: Arc<[Text]>, shape: &Shape, start_rule: Text) -> Self {
         let extent = shape.scope.size.abs().max_element();
         let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
         Env {
@@ -155,10 +150,16 @@ impl Env {
         }
     }
 
+    /// The state of a run, with names that are literals.
+    #[cfg(test)]
+    pub(crate) fn with_names(settings: &Settings, names: &[&'static str], shape: &Shape, start: &'static str) -> Self {
+        Env::new(settings, crate::run::rules::names(names), shape, Text::fixed(start))
+    }
+
     /// The state of a run from a box of 1 m.
     #[cfg(test)]
     pub(crate) fn for_tests() -> Self {
-        Env::new(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
+        Env::with_names(&Settings::default(), &["Lot"], &Shape::cuboid(1.0, 1.0, 1.0), "Lot")
     }
 
     /// Returns true if `more` shapes do not pass the checkpoint.
@@ -196,7 +197,7 @@ impl Env {
         ENDED <= self.shapes
     }
 
-    fn rule_name(&self, rule: u32) -> &'static str {
-        self.names.get(rule as usize).copied().unwrap_or("?")
+    fn rule_name(&self, rule: u32) -> Text {
+        self.names.get(rule as usize).cloned().unwrap_or(Text::fixed("?"))
     }
 }

@@ -36,7 +36,7 @@ impl Env {
     /// Keeps a printed line.
     pub(crate) fn print(&mut self, value: Value) {
         let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
-        let rule = self.trail.last().or(before.last()).map_or("", |&rule| self.rule_name(rule));
+        let rule = self.trail.last().or(before.last()).map_or_else(Text::default, |&rule| self.rule_name(rule));
         let (depth, limit) = (self.depth(), self.settings.limits.prints);
         if !self.prints.add(depth, rule, value, limit) && self.prints.quota.left_out == 1 {
             self.fault(FaultKind::Limit, format!("the limit of {limit} lines is reached; further ones are left out"));

@@ -3,6 +3,7 @@
 use std::rc::Rc;
 
 use super::Env;
+use crate::value::text::Text;
 
 /// The number of rules that a trail names. Longer trails lose their middle, so that memory stays bounded.
 const LONGEST_TRAIL: usize = 2048;
@@ -61,7 +62,7 @@ impl Env {
     }
 
     /// The rules that led here, from the start rule down.
-    pub(super) fn trail(&self) -> Vec<&'static str> {
+    pub(super) fn trail(&self) -> Vec<Text> {
         let mut parts = vec![self.trail.as_slice()];
         let mut before = self.before.as_deref();
         while let Some(trail) = before {
@@ -76,6 +77,6 @@ impl Env {
         }
         let half = LONGEST_TRAIL / 2;
         let (head, tail) = (rules.clone().take(half), rules.skip(count - half));
-        head.map(name).chain(["…"]).chain(tail.map(name)).collect()
+        head.map(name).chain([Text::fixed("…")]).chain(tail.map(name)).collect()
     }
 }

@@ -5,6 +5,7 @@ use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::Flow;
 use crate::run::tree_keys::TreeNode;
 use crate::shape::ShapeRef;
+use crate::value::text::Text;
 
 /// A shape that was entered or made, as far as the run records shapes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -36,7 +37,7 @@ impl Env {
         if let Some(keys) = self.keys() {
             keys.enter(level);
         }
-        let rule = self.trail.last().map_or("", |&rule| self.label(self.rule_name(rule)));
+        let rule = self.trail.last().map_or_else(Text::default, |&rule| self.label(self.rule_name(rule)));
         if let Some(tree) = &mut self.tree {
             tree.enter(self.trail.len(), rule, shape.scope());
         }
@@ -44,11 +45,15 @@ impl Env {
     }
 
     /// The name of a rule as leaves have it: without the style that has added it, as in `imp.Tall$Cell`.
-    fn label(&self, rule: &'static str) -> &'static str {
+    fn label(&self, rule: Text) -> Text {
         let Some((style, own)) = rule.rsplit_once('$') else { return rule };
-        let Some((import, _)) = style.rsplit_once('.') else { return own };
-        let is_it = |leaf: &&str| leaf.strip_prefix(import).and_then(|rest| rest.strip_prefix('.')) == Some(own);
-        self.leaf_tables.names.iter().copied().find(is_it).unwrap_or(rule)
+        let import = style.rsplit_once('.').map(|(import, _)| import);
+        let is_it = |leaf: &&Text| match import {
+            Some(import) => leaf.strip_prefix(import).and_then(|rest| rest.strip_prefix('.')) == Some(own),
+            None => leaf.is(own),
+        };
+        let found = self.leaf_tables.names.iter().find(is_it);
+        found.cloned().unwrap_or_else(|| if import.is_none() { own.into() } else { rule.clone() })
     }
 
     /// The recorded shape of the current rule.
@@ -74,7 +79,7 @@ impl Env {
     }
 
     /// The name of a leaf by its number.
-    fn leaf_name(&self, rule: u32) -> &'static str {
-        self.leaf_tables.names.get(rule as usize).copied().unwrap_or_default()
+    fn leaf_name(&self, rule: u32) -> Text {
+        self.leaf_tables.names.get(rule as usize).cloned().unwrap_or_default()
     }
 }

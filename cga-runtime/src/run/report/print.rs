@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::quota::Quota;
 use crate::value::Value;
+use crate::value::text::Text;
 
 /// One printed value. `to_string` is the line as the language prints it.
 #[derive(Clone, Debug, PartialEq)]
@@ -11,7 +12,7 @@ use crate::value::Value;
 #[non_exhaustive]
 pub struct Print {
     /// The rule that printed it; empty for attributes and constants, which are evaluated before any rule runs.
-    pub rule: &'static str,
+    pub rule: Text,
     /// The printed value.
     pub value: Value,
 }
@@ -45,7 +46,7 @@ pub(crate) struct Prints {
 
 impl Prints {
     /// Adds a line. Returns false if there was no room for it.
-    pub(crate) fn add(&mut self, depth: usize, rule: &'static str, value: Value, limit: u64) -> bool {
+    pub(crate) fn add(&mut self, depth: usize, rule: Text, value: Value, limit: u64) -> bool {
         let bytes = match &value {
             Value::Text(text) => text.len(),
             Value::Floats(array) => size_of::<f64>() * array.len(),

@@ -7,6 +7,7 @@ use std::collections::VecDeque;
 
 use super::{ShapeTree, TreeShape};
 use crate::shape::scope::Scope;
+use crate::value::text::Text;
 
 /// A tree of shapes under construction.
 #[derive(Debug, Default)]
@@ -35,14 +36,14 @@ struct TreePlace {
 
 impl TreeBuilder {
     /// Adds the shape of the rule that is the last of `level` rules on the trail.
-    pub(crate) fn enter(&mut self, level: usize, rule: &'static str, scope: Scope) {
+    pub(crate) fn enter(&mut self, level: usize, rule: Text, scope: Scope) {
         let place = self.add(level - 1, rule, scope);
         self.path.truncate(level - 1);
         self.path.push(place);
     }
 
     /// Adds a leaf symbol of the rule at a level.
-    pub(crate) fn symbol(&mut self, level: usize, rule: &'static str, scope: Scope) -> u32 {
+    pub(crate) fn symbol(&mut self, level: usize, rule: Text, scope: Scope) -> u32 {
         let place = self.add(level, rule, scope);
         self.places[place as usize].shape
     }
@@ -53,7 +54,7 @@ impl TreeBuilder {
     }
 
     /// Makes a shape the next leaf.
-    pub(crate) fn set_leaf(&mut self, shape: u32, rule: &'static str, scope: Scope) {
+    pub(crate) fn set_leaf(&mut self, shape: u32, rule: Text, scope: Scope) {
         let leaf = Some(self.leaves.len() as u32);
         self.leaves.push(shape);
         let shape = &mut self.shapes[shape as usize];
@@ -106,7 +107,7 @@ impl TreeBuilder {
     }
 
     /// Adds a shape below the rule at a level. Returns its place.
-    fn add(&mut self, level: usize, rule: &'static str, scope: Scope) -> u32 {
+    fn add(&mut self, level: usize, rule: Text, scope: Scope) -> u32 {
         let shape = self.shapes.len() as u32;
         let parent = self.current(level);
         self.shapes.push(TreeShape { rule, scope, parent, number: 0, leaf: None, children: 0..0 });
@@ -141,12 +142,12 @@ mod tests {
     #[test]
     fn the_level_determines_the_parent() {
         let (mut tree, scope) = (TreeBuilder::default(), Scope::new(DVec3::ONE));
-        tree.enter(1, "Lot", scope);
-        tree.enter(2, "A", scope);
-        tree.enter(3, "B", scope);
-        tree.symbol(1, "leaf of Lot", scope);
-        tree.enter(2, "C", scope);
-        tree.symbol(2, "leaf of C", scope);
+        tree.enter(1, Text::fixed("Lot"), scope);
+        tree.enter(2, Text::fixed("A"), scope);
+        tree.enter(3, Text::fixed("B"), scope);
+        tree.symbol(1, Text::fixed("leaf of Lot"), scope);
+        tree.enter(2, Text::fixed("C"), scope);
+        tree.symbol(2, Text::fixed("leaf of C"), scope);
         let tree = tree.finish();
         assert_eq!(keys(&tree), ["Lot 0;", "A 0;0;", "B 0;0;0;", "leaf of Lot 0;1;", "C 0;2;", "leaf of C 0;2;0;"]);
         assert!(tree.nodes().all(|node| tree.find(&node.key()).map(|found| found.index()) == Some(node.index())));
@@ -157,30 +158,30 @@ mod tests {
     fn a_shape_takes_about_200_bytes() {
         // A shape is also a child and may be a leaf.
         let bytes = size_of::<TreeShape>() + size_of::<TreePlace>() + 2 * size_of::<u32>();
-        assert!((150..=210).contains(&bytes), "{bytes}");
+        assert!((150..=220).contains(&bytes), "{bytes}");
     }
 
     #[test]
     fn calls_that_wait_keep_their_place() {
         let (mut tree, scope) = (TreeBuilder::default(), Scope::new(DVec3::ONE));
-        tree.enter(1, "Lot", scope);
-        tree.enter(2, "A", scope);
+        tree.enter(1, Text::fixed("Lot"), scope);
+        tree.enter(2, Text::fixed("A"), scope);
         tree.wait(2);
         tree.wait(1);
-        tree.enter(2, "C", scope);
+        tree.enter(2, Text::fixed("C"), scope);
         // The call of a rule, by `A`.
         tree.resume();
-        tree.enter(1, "below A", scope);
+        tree.enter(1, Text::fixed("below A"), scope);
         tree.wait(1);
         // A block of `Lot` with two children. A third one waits between them.
         tree.resume();
-        tree.enter(1, "B", scope);
+        tree.enter(1, Text::fixed("B"), scope);
         tree.wait(0);
-        tree.symbol(0, "leaf", scope);
+        tree.symbol(0, Text::fixed("leaf"), scope);
         tree.resume();
-        tree.symbol(0, "deepest", scope);
+        tree.symbol(0, Text::fixed("deepest"), scope);
         tree.resume();
-        tree.enter(1, "between", scope);
+        tree.enter(1, Text::fixed("between"), scope);
         let tree = tree.finish();
         let expected =
             ["Lot 0;", "A 0;0;", "C 0;4;", "below A 0;0;0;", "B 0;1;", "leaf 0;3;", "deepest 0;0;0;0;", "between 0;2;"];

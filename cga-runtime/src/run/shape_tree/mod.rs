@@ -6,6 +6,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::shape::scope::Scope;
+use crate::value::text::Text;
 
 /// The tree of shapes of one initial shape (CityEngine's model hierarchy): each call of a rule is a node, and each leaf. Parents come
 /// before their children. [`Settings::tree`](crate::run::settings::Settings::tree) asks for it,
@@ -41,7 +42,7 @@ pub struct ShapeTree {
 /// A shape of a tree.
 #[derive(Clone, Debug, PartialEq)]
 struct TreeShape {
-    rule: &'static str,
+    rule: Text,
     scope: Scope,
     parent: Option<u32>,
     /// The number among the children of the parent.
@@ -144,8 +145,8 @@ impl<'a> ShapeNode<'a> {
     }
 
     /// The name of the rule or leaf symbol, without the dot.
-    pub fn rule(&self) -> &'static str {
-        self.shape.rule
+    pub fn rule(&self) -> &'a str {
+        &self.shape.rule
     }
 
     /// The scope, in the world: the scope of the leaf, or the scope with which the rule begins.

@@ -1,15 +1,15 @@
 //! The names and looks of leaves, by number.
 
-use std::borrow::Cow;
 use std::sync::Arc;
 
 use crate::shape::look_id::LookIds;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::text::Text;
 
 /// The names and looks of a run's leaves, by number.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LeafTables {
-    pub(crate) names: Cow<'static, [&'static str]>,
+    pub(crate) names: Arc<[Text]>,
     pub(crate) looks: LookIds,
 }
 

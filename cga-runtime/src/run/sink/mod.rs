@@ -23,6 +23,7 @@ use crate::shape::filled_scope;
 use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::text::Text;
 
 pub use crate::run::template::{PartId, Replay};
 pub use crate::shape::axes::Axes;
@@ -36,7 +37,7 @@ pub type Flow = ControlFlow<()>;
 #[derive(Clone, Copy, Debug)]
 pub struct Leaf<'a> {
     /// The name of the rule or leaf symbol, without the dot. Within a grammar, equal names have equal addresses.
-    pub rule: &'static str,
+    pub rule: &'a Text,
     /// The material set by rules. Unset attributes come from the mesh's own material, otherwise they have their
     /// defaults.
     pub material: &'a Arc<Material>,
@@ -52,7 +53,7 @@ enum LeafSource<'a> {
 
 impl<'a> Leaf<'a> {
     /// A leaf of that rule with that scope, in the world, for sinks that are filled by hand.
-    pub fn new(rule: &'static str, material: &'a Arc<Material>, scope: &'a Scope) -> Self {
+    pub fn new(rule: &'a Text, material: &'a Arc<Material>, scope: &'a Scope) -> Self {
         Leaf { rule, material, source: LeafSource::Known(scope, &[]) }
     }
 
@@ -102,8 +103,8 @@ pub struct Filled<'a> {
 impl<'a> Filled<'a> {
     /// The name of the rule or leaf symbol, without the dot.
     #[inline]
-    pub fn rule(&self) -> &'static str {
-        self.tables.names.get(self.rule as usize).copied().unwrap_or_default()
+    pub fn rule(&self) -> &'a Text {
+        self.tables.names.get(self.rule as usize).unwrap_or(Text::EMPTY)
     }
 
     /// The number of the name. Equal names of a run have equal numbers, from 0.

@@ -9,11 +9,12 @@ use crate::geometry::mesh::Mesh;
 use crate::material::Material;
 use crate::run::sink::{Flow, Leaf, Sink};
 use crate::shape::scope::Scope;
+use crate::value::text::Text;
 
 /// A leaf of a shape at the origin.
 #[derive(Clone, Debug)]
 pub(super) struct MeshLeaf {
-    rule: &'static str,
+    rule: Text,
     material: Arc<Material>,
     /// Its scope, relative to the repetition.
     pub(super) scope: Scope,
@@ -30,7 +31,7 @@ pub(super) enum LeafGeometry {
 
 impl MeshLeaf {
     pub(super) fn of(leaf: &Leaf<'_>, geometry: LeafGeometry) -> Self {
-        MeshLeaf { rule: leaf.rule, material: leaf.material.clone(), scope: leaf.scope(), geometry }
+        MeshLeaf { rule: leaf.rule.clone(), material: leaf.material.clone(), scope: leaf.scope(), geometry }
     }
 
     /// The map from the coordinates of its mesh.
@@ -52,7 +53,7 @@ impl MeshLeaf {
     /// Passes the leaf to a sink, for a repetition at `part`.
     pub(super) fn pass(&self, sink: &mut dyn Sink, part: DVec3, at: &TurnedBreak) -> Flow {
         let scope = Scope { origin: part + at.origin, axes: at.axes, size: self.scope.size };
-        let leaf = Leaf::new(self.rule, &self.material, &scope);
+        let leaf = Leaf::new(&self.rule, &self.material, &scope);
         let placement = DAffine3 { translation: part + at.placement.translation, ..at.placement };
         match &self.geometry {
             LeafGeometry::Mesh(mesh, _) => sink.mesh(&leaf, mesh, &placement),

@@ -8,6 +8,7 @@ use cga_runtime::material::{Color, Material};
 use cga_runtime::output::model::Model;
 use cga_runtime::run::sink::{Cuboid, Leaf, Quad, Sink};
 use cga_runtime::shape::scope::Scope;
+use cga_runtime::value::text::Text;
 use glam::{DAffine3, DMat3, DVec3, dvec2, dvec3};
 
 pub fn color(r: f64, g: f64, b: f64) -> Arc<Material> {
@@ -29,23 +30,23 @@ pub struct Fill<S>(pub S);
 impl<S: Sink> Fill<S> {
     pub fn quad(&mut self, rule: &'static str, material: &Arc<Material>, quad: Quad) {
         let scope = Scope { origin: quad.origin, ..Scope::new(dvec3(quad.u.length(), quad.v.length(), 0.0)) };
-        assert!(self.0.quad(&Leaf::new(rule, material, &scope), &quad).is_continue());
+        assert!(self.0.quad(&Leaf::new(&Text::fixed(rule), material, &scope), &quad).is_continue());
     }
 
     pub fn cuboid(&mut self, rule: &'static str, material: &Arc<Material>, cuboid: Cuboid) {
         let sides = [cuboid.sides.x_axis, cuboid.sides.y_axis, cuboid.sides.z_axis].map(|side| side.length());
         let scope = Scope { origin: cuboid.origin, ..Scope::new(sides.into()) };
-        assert!(self.0.cuboid(&Leaf::new(rule, material, &scope), &cuboid).is_continue());
+        assert!(self.0.cuboid(&Leaf::new(&Text::fixed(rule), material, &scope), &cuboid).is_continue());
     }
 
     pub fn mesh(&mut self, rule: &'static str, material: &Arc<Material>, mesh: &Arc<Mesh>, placement: DAffine3) {
         let scope = Scope::new(DVec3::ONE);
-        assert!(self.0.mesh(&Leaf::new(rule, material, &scope), mesh, &placement).is_continue());
+        assert!(self.0.mesh(&Leaf::new(&Text::fixed(rule), material, &scope), mesh, &placement).is_continue());
     }
 
     pub fn instance(&mut self, rule: &'static str, material: &Arc<Material>, mesh: &Arc<Mesh>, placement: DAffine3) {
         let scope = Scope::new(DVec3::ONE);
-        assert!(self.0.instance(&Leaf::new(rule, material, &scope), mesh, &placement).is_continue());
+        assert!(self.0.instance(&Leaf::new(&Text::fixed(rule), material, &scope), mesh, &placement).is_continue());
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) fn judge(diag: &Diag, places: &Places, run: &Run) -> Verdict {
         _ => divided.slots.iter().any(|slot| slot.size.first == diag.span.first),
     };
     let Some(divided) = places.splits.iter().find(inside) else { return Silent };
-    let at_limit = run.limit.as_ref().is_some_and(|trail| trail.last() == Some(&divided.rule.as_str()));
+    let at_limit = run.limit.as_ref().is_some_and(|trail| trail.last().is_some_and(|rule| rule.is(&divided.rule)));
     let mut verdict = if at_limit && diag.code == Code::TooManyPieces { So } else { Silent };
     for seen in run.splits.iter().filter(|seen| seen.number == divided.number) {
         match once(diag, divided, seen, run) {
