@@ -6,9 +6,18 @@ mod code;
 mod compile;
 mod current;
 mod dispatch;
+mod error;
 mod intern;
+mod loader;
 mod object;
 mod program;
+mod rule_file;
 mod run;
+mod sources;
 mod stack;
 mod steps;
+mod tables;
+
+pub use error::RuleFileError;
+pub use loader::Loader;
+pub use rule_file::RuleFile;

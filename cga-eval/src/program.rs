@@ -1,7 +1,7 @@
 //! Loaded rules, compiled once.
 
 use cga_lang::ir::Type;
-use cga_runtime::rt::Value;
+use cga_runtime::rt::{Text, Value};
 
 use crate::code::Code;
 use crate::steps::RuleCode;
@@ -36,7 +36,7 @@ pub(crate) struct FunctionCode {
 /// An attribute or constant.
 #[derive(Debug)]
 pub(crate) struct GlobalCode {
-    pub(crate) name: &'static str,
+    pub(crate) name: Text,
     pub(crate) ty: Type,
     pub(crate) slot: Slot,
     /// Its value or default.
@@ -91,10 +91,9 @@ impl InitCode {
 /// An attribute that the host program may set.
 #[derive(Debug)]
 pub(crate) struct FieldCode {
-    pub(crate) ty: Type,
     /// The default, if it is the same constant in every style.
     pub(crate) known: Option<Value>,
-    /// The attributes with its name that a run may compute, in the order of the run.
+    /// The attributes with its name among [`Program::init`], in the order of the run.
     pub(crate) inits: Vec<usize>,
 }
 

@@ -6,11 +6,11 @@ use std::collections::{BTreeMap, HashMap};
 use cga_lang::diag::Diag;
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, FunctionId, Global, Grammar, RuleId};
+use cga_runtime::rt::Text;
 
 use super::Problems;
 use super::expr::{Compiler, Locals, Steps, counts};
 use crate::code::{HostFunction, HostOperation};
-use crate::intern::intern;
 use crate::object::{constant, is_number};
 use crate::program::{FieldCode, FunctionCode, GlobalCode, InitCode, Program, RenewalCode, Slot, SlotCounts};
 
@@ -95,15 +95,15 @@ fn fields(grammar: &Grammar) -> Vec<(&str, FieldCode)> {
             continue;
         }
         numbers.insert(&global.name, fields.len());
-        fields.push((&global.name, FieldCode { ty: global.ty, known: known.map(constant), inits: Vec::new() }));
+        fields.push((&global.name, FieldCode { known: known.map(constant), inits: Vec::new() }));
     }
-    for init in &grammar.init {
+    for (at, init) in grammar.init.iter().enumerate() {
         let global = grammar.global(init.global);
         if global.public
             && global.attr.is_some()
             && let Some(&number) = numbers.get(global.name.as_str())
         {
-            fields[number].1.inits.push(init.global.0 as usize);
+            fields[number].1.inits.push(at);
         }
     }
     fields
@@ -130,7 +130,7 @@ impl Compiler<'_> {
         self.expr(&global.value, &Locals::new(&[]), &mut steps);
         let field = fields.iter().position(|(name, _)| *name == global.name);
         GlobalCode {
-            name: intern(&global.name),
+            name: Text::from(global.name.as_str()),
             ty: global.ty,
             slot: self.slots[number],
             value: steps.finish(),

@@ -87,7 +87,7 @@ impl Values {
     fn lazy_value(&self, stack: &mut Stack, env: &mut Env, number: usize) -> Value {
         let global = &self.program.globals[number];
         let Slot::Lazy(slot) = global.slot else { return nothing(global.ty) };
-        let found = self.lazy[slot as usize].get(env, global.name, global.stack, |env| {
+        let found = self.lazy[slot as usize].get(env, global.name.clone(), global.stack, |env| {
             let shape = &mut self.origin.global(global.stream);
             let frame = stack.frame(0);
             self.run(stack, env, &mut Current::Whole(shape), &global.value, frame);
@@ -106,6 +106,16 @@ impl Values {
             Slot::Number(slot) => Some(Value::Float(self.numbers[slot as usize])),
             Slot::Object(slot) => Object::into_value(self.objects[slot as usize].clone()),
             Slot::Lazy(slot) => self.lazy[slot as usize].value(),
+        }
+    }
+
+    /// Hands out the values of the fields, in their order; `None` for attributes that the style does not have.
+    pub(crate) fn used(&self, style: u32, each: &mut dyn FnMut(Option<Value>)) {
+        for field in &self.program.fields {
+            // The last one that the style has counts.
+            let own = field.inits.iter().rev().map(|init| &self.program.init[*init]);
+            let own = own.into_iter().find(|init| init.is_in(style));
+            each(own.and_then(|init| self.found(init.global)));
         }
     }
 

@@ -31,6 +31,11 @@ impl Values {
         }
     }
 
+    /// Runs a start rule.
+    pub(crate) fn start(&self, cx: &mut Cx<'_, Call>, rule: usize, shape: &ShapeRef<'_>) -> Flow {
+        self.rule(cx, shape, rule, self.empty_frame(0))
+    }
+
     /// Runs a call that waited, or a hole of a template.
     pub(crate) fn resume(&self, cx: &mut Cx<'_, Call>, shape: &ShapeRef<'_>, call: Call) -> Flow {
         let rule = call.rule;
