@@ -23,6 +23,9 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+/// Rules that are loaded at run time.
+#[cfg(feature = "eval")]
+pub use cga_eval::{RuleFile, RuleFileError, RuleLoader};
 #[cfg(not(rust_analyzer))]
 pub use cga_macros::cga;
 #[cfg(rust_analyzer)]

@@ -8,7 +8,7 @@ mod current;
 mod dispatch;
 mod error;
 mod intern;
-mod loader;
+mod rule_loader;
 mod object;
 mod program;
 mod rule_file;
@@ -19,5 +19,5 @@ mod steps;
 mod tables;
 
 pub use error::RuleFileError;
-pub use loader::Loader;
+pub use rule_loader::RuleLoader;
 pub use rule_file::RuleFile;

@@ -15,7 +15,7 @@ use cga_runtime::run::start_rule::StartRule;
 
 use crate::call::Call;
 use crate::error::RuleFileError;
-use crate::loader::Loader;
+use crate::rule_loader::RuleLoader;
 use crate::program::Program;
 use crate::run::Values;
 
@@ -51,12 +51,17 @@ pub(crate) struct Loaded {
 }
 
 impl RuleFile {
-    /// Loads a rule file and the files that it imports. [`Loader`] has more choices.
+    /// A loader with more choices: files in memory, functions of the program, a name, the folder of the rules.
+    pub fn loader() -> RuleLoader {
+        RuleLoader::new()
+    }
+
+    /// Loads a rule file and the files that it imports.
     ///
     /// # Errors
     /// The file cannot be read, or its rules have errors.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, RuleFileError> {
-        Loader::new().open(path)
+        RuleLoader::new().open(path)
     }
 
     /// Loads rules that import nothing from text.
@@ -64,7 +69,7 @@ impl RuleFile {
     /// # Errors
     /// The rules have errors.
     pub fn from_text(text: &str) -> Result<Self, RuleFileError> {
-        Loader::new().text(text)
+        RuleLoader::new().text(text)
     }
 
     /// The warnings about the rules, as the compiler shows them.

@@ -15,6 +15,8 @@ mod files;
 mod grammars;
 mod host;
 mod laws;
+#[cfg(feature = "eval")]
+mod loaded;
 mod parallel;
 mod play;
 mod played;

@@ -20,27 +20,27 @@ use crate::tables::tables;
 /// Loads rules with files in memory and functions of the program.
 ///
 /// ```
-/// use cga_eval::Loader;
+/// use cga_eval::RuleLoader;
 /// use cga_runtime::value::Value;
 ///
-/// let rules = Loader::new()
+/// let rules = RuleLoader::new()
 ///     .with_file("lib.cga", "Wall --> color(\"#ffffff\") X.")
 ///     .with_function("height", |_| Value::Float(7.0))
 ///     .text("import lib : \"lib.cga\"  Lot --> extrude(crate::height()) lib.Wall");
 /// # let _ = rules;
 /// ```
 #[derive(Clone, Debug, Default)]
-pub struct Loader {
+pub struct RuleLoader {
     name: Option<String>,
     root: Option<PathBuf>,
     memory: BTreeMap<String, String>,
     registered: Registered,
 }
 
-impl Loader {
+impl RuleLoader {
     /// A loader without files and functions.
     pub fn new() -> Self {
-        Loader::default()
+        RuleLoader::default()
     }
 
     /// Sets the name of the grammar. Without it, a file has its own name without its folder and ending, and a text has none.

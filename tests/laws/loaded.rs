@@ -1,0 +1,70 @@
+//! Compiled and loaded rules give the same: bytes of models, reports, prints, faults, errors and values of attributes.
+
+use crate::host::{self, Make};
+use crate::random::Random;
+use crate::{grammars, start, write};
+use cga::{Error, Grammar, Limits, Model, RuleFile, Settings, Shape, Value};
+
+/// The lists of shapes of each grammar. Each has its own attributes.
+const LISTS: usize = 3;
+
+/// The shapes of each list.
+const SHAPES: usize = 4;
+
+/// Loads the rules of a text, with the Rust functions that written grammars call.
+pub(crate) fn load(name: &str, text: &str) -> RuleFile {
+    let loader = RuleFile::loader().named(name).with_function("crate::host::wave", |args| match args {
+        [Value::Float(x)] => Value::Float(host::wave(*x)),
+        _ => panic!("{args:?}"),
+    });
+    let loader = loader.with_operation("crate::host::tint", |shape, args| match args {
+        [Value::Float(grey)] => host::tint(shape, *grey),
+        _ => panic!("{args:?}"),
+    });
+    loader.text(text).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// All that a run gives.
+fn outcome(grammar: &dyn Grammar, shape: &Shape, settings: &Settings) -> String {
+    let mut model = Model::new();
+    let result = grammar.run(shape, settings, &mut model);
+    let used: Result<_, Error> = grammar.used_values(shape, settings);
+    let glb = model.with_assets(settings.assets.clone()).to_glb().map(|bytes| hash(&bytes));
+    format!("{result:?}\n{used:?}\n{glb:?}")
+}
+
+/// FNV-1a.
+fn hash(bytes: &[u8]) -> (usize, u64) {
+    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+    (bytes.len(), bytes.iter().fold(0xcbf2_9ce4_8422_2325, step))
+}
+
+/// Compares runs of compiled and of loaded rules.
+fn are_alike(seed: u64, make: Make, text: &str) -> Vec<String> {
+    let limits = Limits { shapes: 400, depth: 64, vertices: 20_000, ..Limits::default() };
+    let settings = Settings { limits, assets: start::assets(), ..Settings::default() };
+    let (mut differing, loaded) = (Vec::new(), load(&format!("G{seed}"), text));
+    for list in 0..LISTS {
+        let (mut compiled, mut loaded) = (make(), loaded.clone());
+        let random = &mut Random(seed + 1000 * list as u64);
+        start::attributes(&mut *compiled, random);
+        start::attributes(&mut loaded, &mut Random(seed + 1000 * list as u64));
+        for _ in 0..SHAPES {
+            let (given, shape) = start::shape(random);
+            let [a, b] = [&*compiled as &dyn Grammar, &loaded].map(|grammar| outcome(grammar, &shape, &settings));
+            if a != b {
+                differing.push(format!("seed {seed}, {given}:\n{a}\n{b}"));
+            }
+        }
+    }
+    differing
+}
+
+#[test]
+fn loaded_rules_give_the_same_as_compiled_rules() {
+    let mut differing = Vec::new();
+    for (seed, make) in grammars::ALL {
+        differing.extend(are_alike(*seed, *make, &write::write(*seed)));
+    }
+    assert!(differing.is_empty(), "{} runs differ, first {}", differing.len(), differing[0]);
+}
