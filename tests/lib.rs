@@ -4,6 +4,8 @@
 #![allow(missing_docs, unreachable_pub, reason = "the package is not published, and each example has its title")]
 
 pub mod gallery;
+pub mod inline;
+pub mod outcome;
 pub mod pages;
 pub mod stopped;
 pub mod tree;

@@ -3,7 +3,8 @@
 use crate::host::{self, Make};
 use crate::random::Random;
 use crate::{grammars, start, write};
-use cga::{Error, Grammar, Limits, Model, RuleFile, Settings, Shape, Value};
+use cga::{Grammar, Limits, RuleFile, Settings, Value};
+use cga_tests::outcome::outcome;
 
 /// The lists of shapes of each grammar. Each has its own attributes.
 const LISTS: usize = 3;
@@ -22,21 +23,6 @@ pub(crate) fn load(name: &str, text: &str) -> RuleFile {
         _ => panic!("{args:?}"),
     });
     loader.text(text).unwrap_or_else(|error| panic!("{name}: {error}"))
-}
-
-/// All that a run gives.
-fn outcome(grammar: &dyn Grammar, shape: &Shape, settings: &Settings) -> String {
-    let mut model = Model::new();
-    let result = grammar.run(shape, settings, &mut model);
-    let used: Result<_, Error> = grammar.used_values(shape, settings);
-    let glb = model.with_assets(settings.assets.clone()).to_glb().map(|bytes| hash(&bytes));
-    format!("{result:?}\n{used:?}\n{glb:?}")
-}
-
-/// FNV-1a.
-fn hash(bytes: &[u8]) -> (usize, u64) {
-    let step = |hash: u64, byte: &u8| (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
-    (bytes.len(), bytes.iter().fold(0xcbf2_9ce4_8422_2325, step))
 }
 
 /// Compares runs of compiled and of loaded rules.

@@ -1,0 +1,5 @@
+//! Rules that are loaded at run time: they give the same as compiled rules, and they need no more stack.
+
+mod deep;
+mod pages;
+mod scenes;

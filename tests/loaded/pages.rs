@@ -1,0 +1,52 @@
+//! The examples of the reference's pages give the same bytes, compiled and loaded.
+
+use cga::{Grammar, Model, RuleFile};
+use cga_tests::outcome::bytes;
+use cga_tests::pages::example::Example;
+use cga_tests::pages::{self, cutting};
+
+/// All pages.
+const PAGES: [&[Example]; 22] = [
+    pages::boolean::ALL,
+    pages::boolean_table::ALL,
+    pages::cleanup::ALL,
+    pages::comp::ALL,
+    pages::components::ALL,
+    pages::cutting::ALL,
+    pages::mass::ALL,
+    pages::mesh_operations::ALL,
+    pages::normals::ALL,
+    pages::primitives::ALL,
+    pages::recompose::ALL,
+    pages::roofs::ALL,
+    pages::scattering::ALL,
+    pages::setback::ALL,
+    pages::split_area::ALL,
+    pages::split_attribute::ALL,
+    pages::split_operation::ALL,
+    pages::subdivision_once::ALL,
+    pages::subdivision_repeat::ALL,
+    pages::tags::ALL,
+    pages::texturing::ALL,
+    pages::wings::ALL,
+];
+
+/// The parts of a model that are compared.
+fn shown(model: &Model) -> String {
+    format!("{:?}\n{:?}\n{}", model.counts(), model.faults(), bytes(model))
+}
+
+#[test]
+fn examples_give_the_same() {
+    let (settings, mut count) = (cutting::settings(), 0);
+    for example in PAGES.into_iter().flatten() {
+        let shape = (example.start)();
+        let loaded = RuleFile::loader().named("Page").text(example.rules);
+        let loaded = loaded.unwrap_or_else(|error| panic!("{}: {error}", example.title));
+        let [a, b] = [(example.run)(&shape, &settings), loaded.generate_with(&shape, &settings)]
+            .map(|model| model.map(|model| shown(&model)).map_err(|error| error.to_string()));
+        assert_eq!(a, b, "{}", example.title);
+        count += 1;
+    }
+    assert!(100 < count, "{count} examples");
+}
