@@ -117,11 +117,6 @@ impl Sites {
     pub(crate) fn are_many(&self) -> bool {
         1 < self.0.len()
     }
-
-    /// The number of sites of the caller, at least 1.
-    pub(crate) fn count(&self) -> u32 {
-        self.0.len().max(1) as u32
-    }
 }
 
 /// A call of a function of the host program.

@@ -19,6 +19,7 @@ macro_rules! view {
         match $current {
             $crate::current::Current::Slim(slim) => {
                 let $shape = &mut { *slim };
+                let _ = &$env;
                 $value
             }
             $crate::current::Current::Whole(whole) => {

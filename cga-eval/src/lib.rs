@@ -8,10 +8,10 @@ mod current;
 mod dispatch;
 mod error;
 mod intern;
-mod rule_loader;
 mod object;
 mod program;
 mod rule_file;
+mod rule_loader;
 mod run;
 mod sources;
 mod stack;
@@ -19,5 +19,5 @@ mod steps;
 mod tables;
 
 pub use error::RuleFileError;
-pub use rule_loader::RuleLoader;
 pub use rule_file::RuleFile;
+pub use rule_loader::RuleLoader;

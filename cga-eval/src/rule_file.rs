@@ -15,8 +15,8 @@ use cga_runtime::run::start_rule::StartRule;
 
 use crate::call::Call;
 use crate::error::RuleFileError;
-use crate::rule_loader::RuleLoader;
 use crate::program::Program;
+use crate::rule_loader::RuleLoader;
 use crate::run::Values;
 
 /// Rules that were loaded at run time, with the values of their attributes.

@@ -94,11 +94,9 @@ impl RuleLoader {
     /// The file cannot be read, or its rules have errors.
     pub fn open(&self, path: impl AsRef<Path>) -> Result<RuleFile, RuleFileError> {
         let path = path.as_ref();
-        let mut sources =
-            Sources::new(self.memory.clone(), true, self.root.as_deref()).map_err(RuleFileError::one)?;
-        let unit = sources
-            .read(path)
-            .map_err(|why| RuleFileError::one(format!("cannot read `{}`: {why}", path.display())))?;
+        let mut sources = Sources::new(self.memory.clone(), true, self.root.as_deref()).map_err(RuleFileError::one)?;
+        let unit =
+            sources.read(path).map_err(|why| RuleFileError::one(format!("cannot read `{}`: {why}", path.display())))?;
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
         self.load(unit, sources, self.name.as_deref().unwrap_or(&stem))
     }
@@ -120,8 +118,8 @@ impl RuleLoader {
         let Some(grammar) = &compiled.grammar else {
             return Err(RuleFileError { diagnostics: shown(&compiled.diags) });
         };
-        let program = program(grammar, &self.registered)
-            .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
+        let program =
+            program(grammar, &self.registered).map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
         Ok(RuleFile {

@@ -35,12 +35,10 @@ pub(crate) struct Sources {
 
 impl Sources {
     /// Files in memory, and files on the disk if `reads_disk`.
-    pub(crate) fn new(
-        memory: BTreeMap<String, String>,
-        reads_disk: bool,
-        root: Option<&Path>,
-    ) -> Result<Self, String> {
-        let root = root.map(|root| root.canonicalize().map_err(|why| format!("cannot read the folder `{}`: {why}", root.display())));
+    pub(crate) fn new(memory: BTreeMap<String, String>, reads_disk: bool, root: Option<&Path>) -> Result<Self, String> {
+        let root = root.map(|root| {
+            root.canonicalize().map_err(|why| format!("cannot read the folder `{}`: {why}", root.display()))
+        });
         Ok(Sources { memory, reads_disk, root: root.transpose()?, ..Sources::default() })
     }
 
@@ -89,7 +87,10 @@ impl Sources {
     /// The path with links resolved, if there is a folder that it must not lead out of.
     fn resolved(&self, path: &Path) -> Result<PathBuf, String> {
         let Some(root) = &self.root else { return Ok(path.to_owned()) };
-        let outside = || "it is not a file in the folder of the rules, and paths and links that lead out of it are not followed".to_owned();
+        let outside = || {
+            "it is not a file in the folder of the rules, and paths and links that lead out of it are not followed"
+                .to_owned()
+        };
         path.canonicalize().ok().filter(|real| real.starts_with(root)).ok_or_else(outside)
     }
 

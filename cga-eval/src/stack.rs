@@ -143,6 +143,7 @@ impl Stack {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SharedStack<'s>(pub(crate) &'s RefCell<Stack>);
 
+#[allow(dead_code, reason = "operations that come may need the others")]
 impl SharedStack<'_> {
     /// Takes the last number.
     pub(crate) fn float(self) -> f64 {

@@ -3,9 +3,9 @@
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Start};
 use cga_runtime::grammar::attribute::{self, Attribute, AttributeKind};
-use cga_runtime::run::start_rule::StartRule;
 use cga_runtime::rt::{RuleTables, Text, Value};
 use cga_runtime::rt_eval::StartEntry;
+use cga_runtime::run::start_rule::StartRule;
 
 use crate::object::nothing;
 

@@ -1,9 +1,11 @@
 //! The examples of the reference's pages give the same bytes, compiled and loaded.
 
 use cga::{Grammar, Model, RuleFile};
+use cga_tests::inline;
 use cga_tests::outcome::bytes;
 use cga_tests::pages::example::Example;
 use cga_tests::pages::{self, cutting};
+use cga_tests::tree::root;
 
 /// All pages.
 const PAGES: [&[Example]; 22] = [
@@ -36,12 +38,24 @@ fn shown(model: &Model) -> String {
     format!("{:?}\n{:?}\n{}", model.counts(), model.faults(), bytes(model))
 }
 
+/// The rules that examples of propagation share, which their text does not show.
+fn shared(rules: &str) -> String {
+    if !rules.ends_with(" Visualize\n") {
+        return String::new();
+    }
+    let source = std::fs::read_to_string(root().join("tests/pages/tags.rs")).expect("the page");
+    let list = inline::grammars(&source).into_iter().map(|grammar| grammar.rules);
+    let rules = list.filter_map(|rules| Some(rules[rules.find("Visualize -->")?..].to_owned()));
+    rules.last().expect("the shared rules")
+}
+
 #[test]
 fn examples_give_the_same() {
     let (settings, mut count) = (cutting::settings(), 0);
     for example in PAGES.into_iter().flatten() {
         let shape = (example.start)();
-        let loaded = RuleFile::loader().named("Page").text(example.rules);
+        let rules = format!("{}\n{}", example.rules, shared(example.rules));
+        let loaded = RuleFile::loader().named("Page").text(&rules);
         let loaded = loaded.unwrap_or_else(|error| panic!("{}: {error}", example.title));
         let [a, b] = [(example.run)(&shape, &settings), loaded.generate_with(&shape, &settings)]
             .map(|model| model.map(|model| shown(&model)).map_err(|error| error.to_string()));

@@ -10,15 +10,11 @@ use crate::steps::{ArmsKind, ArmsStep, EachStep, OperandsStep, SectionsStep};
 
 impl Compiler<'_> {
     /// A comp, or another operation with arms.
-    pub(super) fn divided(
-        &self,
-        block: &Block,
-        arms: &[Arm<Target>],
-        at: InRule<'_>,
-        number: u32,
-    ) -> Option<ArmsStep> {
+    pub(super) fn divided(&self, block: &Block, arms: &[Arm<Target>], at: InRule<'_>, number: u32) -> Option<ArmsStep> {
         let kind = match block.row.braces {
-            Braces::Components => components(&block.args).map(|(components, align)| ArmsKind::Comp(components, align))?,
+            Braces::Components => {
+                components(&block.args).map(|(components, align)| ArmsKind::Comp(components, align))?
+            }
             Braces::Modified => {
                 components(&block.args).map(|(components, align)| ArmsKind::CompAndRest(components, align))?
             }

@@ -48,7 +48,10 @@ impl Locals {
 
 /// The numbers of values that are numbers, and that are objects.
 pub(super) fn counts(types: impl Iterator<Item = Type>) -> (usize, usize) {
-    types.fold((0, 0), |(numbers, objects), ty| if is_number(ty) { (numbers + 1, objects) } else { (numbers, objects + 1) })
+    types.fold(
+        (0, 0),
+        |(numbers, objects), ty| if is_number(ty) { (numbers + 1, objects) } else { (numbers, objects + 1) },
+    )
 }
 
 /// The code of expressions, under construction.

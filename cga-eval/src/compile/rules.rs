@@ -1,7 +1,7 @@
 //! Rules and their steps.
 
 use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
-use cga_lang::ir::{Arg, Block, BlockParts, Childless, Expr, Renew, Rule, RuleId, Step, StepKind, Target};
+use cga_lang::ir::{Arg, Block, BlockParts, Childless, Renew, Rule, RuleId, Step, StepKind, Target};
 use cga_lang::ops::{Changes, Operation};
 use cga_runtime::rt::ChangePlace;
 
@@ -121,9 +121,7 @@ impl Compiler<'_> {
                 asks: row.changes == Changes::Whole,
                 bakes: row.reshapes(),
             }),
-            StepKind::SetAttr(id, value) => {
-                Some(WholeStep::Attribute(self.code([value], at.locals), id.0, value.ty))
-            }
+            StepKind::SetAttr(id, value) => Some(WholeStep::Attribute(self.code([value], at.locals), id.0, value.ty)),
             StepKind::SetShape(attr, value) => {
                 let change = dispatch::set(attr)?;
                 let mut steps = Steps::default();
@@ -204,10 +202,5 @@ impl Compiler<'_> {
                 })
             }
         }
-    }
-
-    /// The code of one expression of a rule.
-    pub(super) fn one(&self, expr: &Expr, at: InRule<'_>) -> Code {
-        self.code([expr], at.locals)
     }
 }

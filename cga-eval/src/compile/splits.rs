@@ -1,7 +1,7 @@
 //! Splits.
 
 use cga_lang::ir::plan::{PartNeeds, SplitForm, TemplateRoot};
-use cga_lang::ir::{Arg, Axis, Block, Expr, ExprKind, Prefix, Slots, Target, Value};
+use cga_lang::ir::{Arg, Block, Expr, ExprKind, Prefix, Slots, Target, Value};
 use cga_lang::ops::{Braces, Measure};
 use cga_runtime::rt::{self, Adjust, Successor};
 
@@ -14,20 +14,18 @@ impl Compiler<'_> {
     /// A split. `number` counts the children that the rule makes.
     pub(super) fn split(&self, block: &Block, slots: &Slots, at: InRule<'_>, number: u32) -> Option<SplitStep> {
         let Braces::Slots(measure) = block.row.braces else { return None };
-        // Parts in texture space do not come along an axis, and their scopes are found with them.
-        let axis = match block.axis() {
-            Some(Axis::X) | None => rt::Axis::X,
-            Some(Axis::Y) => rt::Axis::Y,
-            Some(Axis::Z) => rt::Axis::Z,
+        let word = |number: usize| match block.args.get(number) {
+            Some(Arg::Word(word)) => Some(*word),
+            _ => None,
         };
-        let adjusts = block.adjusts() && measure != Measure::Texture;
+        // Parts in texture space do not come along an axis, and their scopes are found with them.
+        let (axis, adjust) = match measure {
+            Measure::Texture => (rt::Axis::X, Adjust::NoAdjust),
+            Measure::Length | Measure::Area => (dispatch::rt_axis(word(0)?)?, dispatch::rt_adjust(word(1)?)?),
+        };
         let form = match (self.plan.split_form(block, at.id), measure) {
             (SplitForm::Solved(solved), _) => SplitKind::Solved(solved.extent, solved.pieces.clone().into()),
             (_, Measure::Texture) => {
-                let word = |number: usize| match block.args.get(number) {
-                    Some(Arg::Word(word)) => Some(*word),
-                    _ => None,
-                };
                 let (axis, space) = (dispatch::rt_uv_axis(word(0)?)?, dispatch::rt_texture_space(word(1)?)?);
                 SplitKind::Texture(axis, space, self.args(block.row.params, &block.args, at.locals))
             }
@@ -44,7 +42,7 @@ impl Compiler<'_> {
         Some(SplitStep {
             slots: self.slots(slots, at),
             axis,
-            adjust: if adjusts { Adjust::Adjust } else { Adjust::NoAdjust },
+            adjust,
             number,
             successors: slots.targets.iter().map(|target| self.successor(target, at)).collect(),
             has_total: self.plan.needs_total(slots),

@@ -20,7 +20,7 @@ use crate::current::Current;
 use crate::stack::{SharedStack, Stack};
 
 pub(crate) use operations::{arms, each, operands, says, sections, slim};
-pub(crate) use words::{rt_align, rt_components, rt_texture_space, rt_uv_axis, rt_word};
+pub(crate) use words::{rt_adjust, rt_align, rt_axis, rt_components, rt_texture_space, rt_uv_axis, rt_word};
 
 /// A condition on components, by arm.
 pub(crate) type When<'w> = dyn FnMut(&mut Env, u32, &mut Candidate<'_>) -> bool + 'w;

@@ -44,9 +44,7 @@ impl Values {
             ArmsKind::CompAndRest(components, align) => {
                 rt::comp_and_rest(cx, shape, step.number, *components, *align, table, when, visit)
             }
-            ArmsKind::Divide(call) => {
-                (call.0)(SharedStack(&self.stack), cx, shape, step.number, table, when, visit)
-            }
+            ArmsKind::Divide(call) => (call.0)(SharedStack(&self.stack), cx, shape, step.number, table, when, visit),
         }
     }
 

@@ -175,7 +175,7 @@ impl Values {
 }
 
 /// The value that a shape has of its own, else the one given.
-fn of_shape(_env: &mut Env, current: &mut Current<'_, '_>, number: u32, held: Value) -> Value {
+fn of_shape(env: &mut Env, current: &mut Current<'_, '_>, number: u32, held: Value) -> Value {
     view!(env, current, |shape| match &held {
         Value::Float(held) => Value::Float(get::float_attribute(shape, number, *held)),
         Value::Bool(held) => Value::Bool(get::bool_attribute(shape, number, *held)),

@@ -8,4 +8,5 @@ mod rules;
 mod splits;
 mod values;
 
+#[allow(unreachable_pub, reason = "a public trait names it")]
 pub use values::Values;

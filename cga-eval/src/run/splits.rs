@@ -84,9 +84,7 @@ impl Values {
                 let set = self.number(cx.env, shape, set, frame);
                 rt::split_texture(cx, shape, split, (*axis, *space, set), &mut sizes, &mut lengths, visit)
             }
-            SplitKind::Length | SplitKind::Solved(..) => {
-                rt::split(cx, shape, split, &mut sizes, &mut lengths, visit)
-            }
+            SplitKind::Length | SplitKind::Solved(..) => rt::split(cx, shape, split, &mut sizes, &mut lengths, visit),
         }
     }
 

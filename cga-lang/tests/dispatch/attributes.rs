@@ -23,7 +23,9 @@ fn attributes_are_up_to_date() {
         }
         if let Some(name) = row.set.and_then(|run| run.now()) {
             let (key, ty) = (row.name, type_name(row.ty()));
-            sets += &format!("{key:?} => Change::new(|stack, env, shape, _| {{ let value = stack.{ty}(); set::{name}(env, shape, value); }}),");
+            sets += &format!(
+                "{key:?} => Change::new(|stack, env, shape, _| {{ let value = stack.{ty}(); set::{name}(env, shape, value); }}),"
+            );
         }
     }
     for (file, about, gets) in [

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use cga_lang::ops::{Function, Needs, Uses, all_functions};
 use cga_lang::ir::Type;
+use cga_lang::ops::{Function, Needs, Uses, all_functions};
 
 use super::{Arguments, arguments, check};
 

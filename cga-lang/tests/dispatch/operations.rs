@@ -22,7 +22,8 @@ struct Form {
 
 /// Operations whose geometry comes from the scope or a file, which have a file of their own because there are many.
 fn makes(row: &Operation) -> bool {
-    matches!(row.changes, Changes::Whole) && (row.name.starts_with("primitive") || row.name.starts_with("roof") || row.name.starts_with("envelope"))
+    matches!(row.changes, Changes::Whole)
+        && (row.name.starts_with("primitive") || row.name.starts_with("roof") || row.name.starts_with("envelope"))
 }
 
 const FORMS: &[Form] = &[
@@ -119,7 +120,11 @@ fn operations_are_up_to_date() {
                 imports.push(import);
             }
         }
-        let rt = if arms.contains("rt::") { "rt::{self, op}".to_owned() } else { format!("rt::{}", imports.last().expect("a module")) };
+        let rt = if arms.contains("rt::") {
+            "rt::{self, op}".to_owned()
+        } else {
+            format!("rt::{}", imports.last().expect("a module"))
+        };
         let body = format!(
             "use cga_lang::ir::Arg;
             use cga_runtime::{rt};

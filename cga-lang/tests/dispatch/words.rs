@@ -41,12 +41,16 @@ fn words_are_up_to_date() {
     }
     let mut bodies: BTreeMap<String, String> = BTreeMap::new();
     let mut add = |module: &str, name: &str, words: &BTreeMap<&str, String>, about: &str| {
-        let import = format!("use cga_runtime::{};\n", if module == "rt" { "rt".into() } else { format!("rt::{module}") });
+        let import =
+            format!("use cga_runtime::{};\n", if module == "rt" { "rt".into() } else { format!("rt::{module}") });
         let body = bodies.entry(module.to_owned()).or_insert(import);
         let (function, path) =
             (function(module, name), if module == "rt" { "rt::".into() } else { format!("{module}::") });
-        write!(body, "\n/// {about}\npub(crate) fn {function}(word: &str) -> Option<{path}{name}> {{ Some(match word {{")
-            .expect("text");
+        write!(
+            body,
+            "\n/// {about}\npub(crate) fn {function}(word: &str) -> Option<{path}{name}> {{ Some(match word {{"
+        )
+        .expect("text");
         for (word, variant) in words {
             write!(body, "{word:?} => {path}{name}::{variant},").expect("text");
         }

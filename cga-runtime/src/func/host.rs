@@ -236,6 +236,9 @@ pub fn of_type(env: &mut Env, name: &str, value: Value, other: &Value) -> Value 
         return value;
     }
     let (got, wanted) = (value.ty(), other.ty());
-    env.fault(FaultKind::Value, format!("`{name}` returned {got}, but the rules need {wanted}; it counts as 0 or empty"));
+    env.fault(
+        FaultKind::Value,
+        format!("`{name}` returned {got}, but the rules need {wanted}; it counts as 0 or empty"),
+    );
     other.clone()
 }
