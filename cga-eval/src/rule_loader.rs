@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cga_lang::compile::{Compiled, compile};
-use cga_lang::diag::{Diag, Level};
+use cga_lang::diag::Diag;
+use cga_lang::diag::code::Code;
+use cga_lang::diag::code::Level;
 use cga_lang::link::Unit;
 use cga_lang::snippet::{Lines, render_in};
 use cga_runtime::rt::{Shape, Text, Value};
@@ -35,6 +37,8 @@ pub struct RuleLoader {
     root: Option<PathBuf>,
     memory: BTreeMap<String, String>,
     registered: Registered,
+    /// The levels of diagnostics, by name.
+    levels: Vec<(String, Level)>,
 }
 
 impl RuleLoader {
@@ -88,6 +92,29 @@ impl RuleLoader {
         self
     }
 
+    /// Does not report the diagnostics of a name, such as `unused_attribute`, as `@Allow` in the header of a compiled grammar.
+    #[must_use]
+    pub fn allow(self, code: impl Into<String>) -> Self {
+        self.with_level(code, Level::Allow)
+    }
+
+    /// Reports the diagnostics of a name as warnings.
+    #[must_use]
+    pub fn warn(self, code: impl Into<String>) -> Self {
+        self.with_level(code, Level::Warning)
+    }
+
+    /// Reports the diagnostics of a name as errors: rules with one cannot be loaded.
+    #[must_use]
+    pub fn deny(self, code: impl Into<String>) -> Self {
+        self.with_level(code, Level::Error)
+    }
+
+    fn with_level(mut self, code: impl Into<String>, level: Level) -> Self {
+        self.levels.push((code.into(), level));
+        self
+    }
+
     /// Loads a rule file and the files that it imports.
     ///
     /// # Errors
@@ -113,7 +140,14 @@ impl RuleLoader {
     }
 
     fn load(&self, unit: Unit, mut sources: Sources, name: &str) -> Result<RuleFile, RuleFileError> {
-        let compiled = compile(unit, &mut sources, &[]);
+        let level = |(name, level): &(String, Level)| match Code::from_name(name) {
+            Some(code) => Ok((code, *level)),
+            None => Err(RuleFileError::one(format!(
+                "there are no diagnostics of the name `{name}`; the guide lists the names"
+            ))),
+        };
+        let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
+        let compiled = compile(unit, &mut sources, &levels);
         let shown = |diags: &[Diag]| shown(&compiled, &sources, diags);
         let Some(grammar) = &compiled.grammar else {
             return Err(RuleFileError { diagnostics: shown(&compiled.diags) });

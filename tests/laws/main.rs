@@ -17,6 +17,10 @@ mod host;
 mod laws;
 #[cfg(feature = "eval")]
 mod loaded;
+#[cfg(feature = "eval")]
+#[path = "../outcome.rs"]
+#[allow(dead_code, unreachable_pub, reason = "tests share it")]
+mod outcome;
 mod parallel;
 mod play;
 mod played;

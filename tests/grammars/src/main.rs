@@ -1,5 +1,5 @@
 //! Random grammars, compiled and run: `.ci/grammars` prints hashes of their runs, and `CGA_GRAMMARS=20 cargo run --release
-//! -p cga-grammars -- laws` compares runs by the laws of `tests/laws`. `build.rs` writes the grammars.
+//! -p cga-grammars -- laws` compares runs by the laws of `tests/laws`; with `loaded`, it compares compiled with loaded rules. `build.rs` writes the grammars.
 #![deny(warnings)]
 
 use std::process::ExitCode;
@@ -24,6 +24,13 @@ mod host;
 #[cfg(feature = "rayon")]
 #[path = "../../laws/laws.rs"]
 mod laws;
+#[cfg(feature = "eval")]
+#[path = "../../laws/loaded.rs"]
+mod loaded;
+#[cfg(feature = "eval")]
+#[path = "../../outcome.rs"]
+#[allow(dead_code, unreachable_pub, reason = "tests share it")]
+mod outcome;
 #[cfg(feature = "rayon")]
 #[path = "../../laws/play.rs"]
 mod play;
@@ -42,6 +49,13 @@ fn main() -> ExitCode {
             let counts = play::play(grammars::ALL);
             println!("{}{}", counts.differences(), counts.summary());
             counts.broken == 0
+        }
+        #[cfg(feature = "eval")]
+        Some("loaded") => {
+            let differing = loaded::differences(grammars::ALL);
+            differing.iter().for_each(|text| println!("{text}"));
+            println!("{} grammars, {} runs differ", grammars::ALL.len(), differing.len());
+            differing.is_empty()
         }
         _ => hashes::print(grammars::ALL),
     };

@@ -155,3 +155,20 @@ fn play(seed: u64, make: Make, counts: &mut BTreeMap<Code, usize>, broken: &mut 
         }
     }
 }
+
+#[cfg(feature = "eval")]
+#[test]
+fn loaded_rules_give_the_same_as_compiled_rules() {
+    let settings = cga::Settings { limits: run::limits(), ..cga::Settings::default() };
+    for (seed, make) in grammars::ALL {
+        let rules = crate::loaded::load(&format!("G{seed}"), &write::write(*seed));
+        for number in 0..4 {
+            let outcome = |grammar: &mut dyn Grammar| {
+                let (given, shape) = prepare(grammar, &mut Random(100 * seed + number), number == 0);
+                format!("{given}\n{}", crate::outcome::outcome(grammar, &shape, &settings))
+            };
+            let (compiled, loaded) = (outcome(&mut *make()), outcome(&mut rules.clone()));
+            assert!(compiled == loaded, "seed {seed}:\n{compiled}\n{loaded}");
+        }
+    }
+}

@@ -116,9 +116,13 @@ pub(crate) fn run(grammar: &mut dyn Grammar, random: &mut Random, usual: bool) -
 
 /// Runs a rule, within limits.
 pub(crate) fn derive(grammar: &dyn Grammar, start: &str, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-    let limits = Limits { shapes: 5000, depth: 64, vertices: 50_000, waiting: 5000, prints: 5000, ..Limits::default() };
-    let settings = Settings { start: Some(start.into()), limits, ..Settings::default() };
+    let settings = Settings { start: Some(start.into()), limits: limits(), ..Settings::default() };
     grammar.run(shape, &settings, sink)
+}
+
+/// The limits of runs.
+pub(crate) fn limits() -> Limits {
+    Limits { shapes: 5000, depth: 64, vertices: 50_000, waiting: 5000, prints: 5000, ..Limits::default() }
 }
 
 /// Sets attributes, if they are not to be as usual, and makes an initial shape; says what.

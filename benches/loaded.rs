@@ -1,16 +1,20 @@
 //! Loaded rules beside compiled ones, and the time to load rules.
 //!
-//! `cargo bench -p cga-tests --bench loaded`; words after `--` choose rows by parts of their names.
+//! `cargo bench --features eval --bench loaded`; words after `--` choose rows by parts of their names.
 
-#[path = "../../benches/common/mod.rs"]
 mod common;
-#[path = "../../examples/district.rs"]
+#[path = "../examples/district.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the rules are needed alone")]
 mod district;
+#[path = "../tests/inline.rs"]
+#[allow(dead_code, unreachable_pub, reason = "tests share it")]
+mod inline;
+#[path = "../examples/scenes/mod.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the pictures of the scenes are made elsewhere")]
+mod scenes;
 
 use cga::sink::buffers::Buffers;
 use cga::{Grammar, RuleFile, Settings, Shape, cga};
-use cga_tests::{inline, scenes};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
 
@@ -83,7 +87,7 @@ fn subjects() -> Vec<Subject> {
         ),
         row(
             "district's house",
-            &inline(include_str!("../../examples/district.rs"), "House"),
+            &inline(include_str!("../examples/district.rs"), "House"),
             Box::new(district::House::default()),
             lots(),
         ),
@@ -141,7 +145,7 @@ fn main() {
 
 /// The time to load 400 rules.
 fn large() {
-    let text = include_str!("../rules/import/long.cga");
+    let text = include_str!("../tests/rules/import/long.cga");
     let [best] = fastest(SECONDS, [&mut || drop(RuleFile::from_text(text))]);
     println!("{} rules: {:.1} ms", text.matches("-->").count(), best.as_secs_f64() * 1e3);
 }
