@@ -71,7 +71,7 @@ impl CgaLeaf {
     }
 
     /// The name of its rule or leaf symbol, without the dot.
-    pub fn rule(&self) -> &'static str {
+    pub fn rule(&self) -> &str {
         self.view().rule()
     }
 

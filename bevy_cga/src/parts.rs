@@ -32,7 +32,7 @@ pub struct CgaRoot {
 #[derive(Component, Clone, Debug)]
 pub struct CgaMesh {
     /// The rule or leaf symbol of all leaves; `None` for a mesh with leaves of any rule.
-    pub rule: Option<&'static str>,
+    pub rule: Option<cga::Text>,
     /// The material.
     pub material: Arc<Material>,
     /// The leaves with the ranges of their indices.

@@ -102,9 +102,13 @@ fn generate(cga: &Cga) -> Result<Generated, CgaError> {
     let meshes = meshes.into_iter().map(|mut mesh| {
         let mut channels = Channels::of(&mesh);
         let made = convert::mesh(&mut mesh, &mut channels, cga.usages);
-        let name = mesh.rule.map_or_else(|| material_name(&mesh.material), str::to_owned);
-        let part =
-            |leaves| CgaMesh { rule: mesh.rule, material: mesh.material.clone(), leaves, channels: channels.of_layer };
+        let name = mesh.rule.as_ref().map_or_else(|| material_name(&mesh.material), ToString::to_string);
+        let part = |leaves| CgaMesh {
+            rule: mesh.rule.clone(),
+            material: mesh.material.clone(),
+            leaves,
+            channels: channels.of_layer,
+        };
         let places = if mesh.places.is_empty() {
             vec![PlacedMesh { name, transform: Transform::IDENTITY, part: part(std::mem::take(&mut mesh.leaves)) }]
         } else {

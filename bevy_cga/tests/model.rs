@@ -56,7 +56,7 @@ fn every_kind_of_change_makes_a_new_model() {
     change(&mut app, entity, |cga| cga.granularity = Granularity::Leaf);
     assert!(meshes < parts(&app, entity).len());
     change(&mut app, entity, |cga| cga.settings.start = Some("Trees".into()));
-    assert!(parts(&app, entity).iter().all(|(_, part, ..)| part.rule == Some("Tree")));
+    assert!(parts(&app, entity).iter().all(|(_, part, ..)| part.rule.as_deref() == Some("Tree")));
     change(&mut app, entity, |cga| *cga = Cga::new(Field::default(), Shape::rectangle(5.0, 5.0)));
     assert_eq!(app.world().get::<CgaModel>(entity).expect("a model").model.rules(), ["Grass"]);
     assert!(log(&app).failed.is_empty());

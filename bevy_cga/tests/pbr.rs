@@ -47,7 +47,7 @@ fn sampler() -> Cga {
 /// The material of a rule.
 fn material(app: &App, entity: Entity, rule: &str) -> (MeshMaterial3d<StandardMaterial>, StandardMaterial) {
     let list = parts(app, entity);
-    let (child, ..) = list.iter().find(|(_, part, ..)| part.rule == Some(rule)).expect("a rule");
+    let (child, ..) = list.iter().find(|(_, part, ..)| part.rule.as_deref() == Some(rule)).expect("a rule");
     let handle = app.world().get::<MeshMaterial3d<StandardMaterial>>(*child).expect("a material").clone();
     let material = app.world().resource::<Assets<StandardMaterial>>().get(&handle.0).expect("an asset").clone();
     (handle, material)
@@ -56,7 +56,7 @@ fn material(app: &App, entity: Entity, rule: &str) -> (MeshMaterial3d<StandardMa
 /// The texture coordinates of a rule.
 fn coordinates(app: &App, entity: Entity, rule: &str, channel: u8) -> Vec<[f32; 2]> {
     let list = parts(app, entity);
-    let (_, _, mesh, _) = list.iter().find(|(_, part, ..)| part.rule == Some(rule)).expect("a rule");
+    let (_, _, mesh, _) = list.iter().find(|(_, part, ..)| part.rule.as_deref() == Some(rule)).expect("a rule");
     let attribute = if channel == 0 { Mesh::ATTRIBUTE_UV_0 } else { Mesh::ATTRIBUTE_UV_1 };
     match app.world().resource::<Assets<Mesh>>().get(&mesh.0).expect("a mesh").attribute(attribute) {
         Some(VertexAttributeValues::Float32x2(list)) => list.clone(),
@@ -120,12 +120,12 @@ fn coordinates_are_those_of_bevy() {
     // grows to the north; Bevy's grows downwards.
     let bricks = coordinates(&app, entity, "Bricks", 0);
     let list = parts(&app, entity);
-    let (_, part, mesh, _) = list.iter().find(|(_, part, ..)| part.rule == Some("Bricks")).expect("a rule");
+    let (_, part, mesh, _) = list.iter().find(|(_, part, ..)| part.rule.as_deref() == Some("Bricks")).expect("a rule");
     let mesh = app.world().resource::<Assets<Mesh>>().get(&mesh.0).expect("a mesh");
     let Some(VertexAttributeValues::Float32x3(points)) = mesh.attribute(Mesh::ATTRIBUTE_POSITION) else { panic!() };
     let model = app.world().get::<CgaModel>(entity).expect("a model").model.clone();
     let meshes = model.meshes(Granularity::Rule);
-    let ours = meshes.list.iter().find(|mesh| mesh.rule == Some("Bricks")).expect("a mesh");
+    let ours = meshes.list.iter().find(|mesh| mesh.rule.as_deref() == Some("Bricks")).expect("a mesh");
     assert_eq!(points, &ours.positions);
     for (bevy, [u, v]) in bricks.iter().zip(&ours.uvs[0]) {
         assert_eq!(bevy, &[*u, 1.0 - v]);
@@ -143,7 +143,7 @@ fn coordinates_are_those_of_bevy() {
     let (color, normal) = (coordinates(&app, entity, "Bumps", 0), coordinates(&app, entity, "Bumps", 1));
     assert!(color.iter().zip(&normal).all(|(color, normal)| color == &[3.0 * normal[0], normal[1]]));
     assert!(mesh.attribute(Mesh::ATTRIBUTE_TANGENT).is_none());
-    let (_, _, mesh, _) = list.iter().find(|(_, part, ..)| part.rule == Some("Bumps")).expect("a rule");
+    let (_, _, mesh, _) = list.iter().find(|(_, part, ..)| part.rule.as_deref() == Some("Bumps")).expect("a rule");
     let mesh = app.world().resource::<Assets<Mesh>>().get(&mesh.0).expect("a mesh");
     assert!(mesh.attribute(Mesh::ATTRIBUTE_TANGENT).is_some());
 }

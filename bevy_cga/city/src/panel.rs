@@ -21,7 +21,7 @@ pub(crate) struct Chosen(usize);
 /// The values that a run of the picked building uses, computed ones included. They are kept because default values of
 /// attributes can be long computations.
 #[derive(Component, Default)]
-pub(crate) struct Values(Vec<(&'static str, Value)>);
+pub(crate) struct Values(Vec<(CgaText, Value)>);
 
 pub(crate) fn add(mut commands: Commands) {
     let panel = Node {
@@ -41,7 +41,7 @@ pub(crate) fn add(mut commands: Commands) {
 }
 
 /// The attributes that user interfaces show.
-fn attributes(cga: &Cga) -> Vec<&'static Attribute> {
+fn attributes(cga: &Cga) -> Vec<&Attribute> {
     cga.grammar.attributes().iter().filter(|attribute| !attribute.hidden).collect()
 }
 
@@ -62,18 +62,18 @@ pub(crate) fn keys(
     } else if pressed(KeyCode::ArrowUp) {
         chosen.0 = chosen.0.saturating_sub(1);
     }
-    let attribute = shown[chosen.0.min(last)];
+    let attribute = shown[chosen.0.min(last)].clone();
     if pressed(KeyCode::ArrowLeft) || pressed(KeyCode::ArrowRight) {
         let value = used(&cga).into_iter().find(|(name, _)| *name == attribute.name);
-        let next = value.and_then(|(_, value)| next(attribute, &*cga.grammar, value, pressed(KeyCode::ArrowRight)));
+        let next = value.and_then(|(_, value)| next(&attribute, &*cga.grammar, value, pressed(KeyCode::ArrowRight)));
         if let Some(next) = next
-            && let Err(error) = cga.grammar.set(attribute.name, next)
+            && let Err(error) = cga.grammar.set(&attribute.name, next)
         {
             warn!("{error}");
         }
     } else if pressed(KeyCode::KeyR) {
         // It has the attribute.
-        let _ = cga.grammar.reset(attribute.name);
+        let _ = cga.grammar.reset(&attribute.name);
     } else if pressed(KeyCode::KeyN) {
         let seed = cga.shape.seed_value().wrapping_add(1);
         cga.shape = cga.shape.clone().seed(seed);
@@ -81,7 +81,7 @@ pub(crate) fn keys(
 }
 
 /// The values that a run uses, computed ones included.
-fn used(cga: &Cga) -> Vec<(&'static str, Value)> {
+fn used(cga: &Cga) -> Vec<(CgaText, Value)> {
     cga.grammar.used_values(&cga.shape, &cga.settings).unwrap_or_default()
 }
 
@@ -94,7 +94,7 @@ fn next(attribute: &Attribute, grammar: &dyn Grammar, value: Value, is_up: bool)
         let step = if is_up { 1 } else { list.len().checked_sub(1)? };
         list.get(at.map_or(0, |at| (at + step) % list.len())).cloned()
     };
-    if let Some(choices) = attribute.choices {
+    if let Some(choices) = &attribute.choices {
         return beside(choices.of(grammar)?);
     }
     match &value {
@@ -135,7 +135,7 @@ pub(crate) fn refresh(
     let wanted = match picked.building.and_then(|building| buildings.get(building).ok()) {
         None => "Click a building.\nW A S D E Q fly, the right button turns.".to_owned(),
         Some((cga, building, shown, is_running)) => {
-            describe(cga, building, &values.0, shown, is_running, chosen.0, picked.rule)
+            describe(cga, building, &values.0, shown, is_running, chosen.0, picked.rule.as_deref())
         }
     };
     if text.0 != wanted {
@@ -146,7 +146,7 @@ pub(crate) fn refresh(
 fn describe(
     cga: &Cga,
     building: &Building,
-    values: &[(&str, Value)],
+    values: &[(CgaText, Value)],
     shown: Option<&CgaModel>,
     is_running: bool,
     chosen: usize,
@@ -160,14 +160,15 @@ fn describe(
     let list = attributes(cga);
     let last = list.len().saturating_sub(1);
     for (number, attribute) in list.iter().enumerate() {
-        let name = if attribute.display_name.is_empty() { attribute.name } else { attribute.display_name };
+        let name = if attribute.display_name.is_empty() { &attribute.name } else { &attribute.display_name };
         let value = values.iter().find(|(known, _)| *known == attribute.name);
         let value = value.map_or(String::new(), |(_, value)| shown_value(value));
         let mark = if number == chosen.min(last) { ">" } else { "  " };
-        let is_set = cga.grammar.get(attribute.name).is_ok_and(|value| Some(value) != attribute.default.value());
+        let is_set = cga.grammar.get(&attribute.name).is_ok_and(|value| Some(&value) != attribute.default.as_ref());
         let _ = writeln!(text, "{mark} {name}: {value}{}", if is_set { " *" } else { "" });
     }
-    if let Some(about) = list.get(chosen.min(last)).map(|attribute| attribute.about).filter(|about| !about.is_empty()) {
+    if let Some(about) = list.get(chosen.min(last)).map(|attribute| &attribute.about).filter(|about| !about.is_empty())
+    {
         let _ = write!(text, "\n{about}");
     }
     let leaves = shown.map_or(0, |shown| shown.model.len());

@@ -12,7 +12,7 @@ use crate::scene::Building;
 pub(crate) struct Picked {
     pub(crate) building: Option<Entity>,
     /// The rule of the leaf that was hit.
-    pub(crate) rule: Option<&'static str>,
+    pub(crate) rule: Option<String>,
 }
 
 /// The pin above the picked building.
@@ -45,7 +45,7 @@ pub(crate) fn pick(
     picked.building = Some(building);
     let leaf = meshes.get(*entity).ok().and_then(|mesh| mesh.leaf_of_triangle(hit.triangle_index?));
     let model = buildings.get(building).ok().map(|shown| &shown.model);
-    picked.rule = leaf.and_then(|leaf| Some(model?.leaves().nth(leaf)?.rule()));
+    picked.rule = leaf.and_then(|leaf| Some(model?.leaves().nth(leaf)?.rule().to_owned()));
 }
 
 /// Adds the pin, hidden.

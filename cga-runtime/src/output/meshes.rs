@@ -1,7 +1,6 @@
 //! Triangle meshes for engines and renderers: separate lists of positions, normals, tangents and texture coordinates.
 
 use std::collections::HashMap;
-use std::convert::Infallible;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
@@ -306,33 +305,25 @@ impl MeshBuild {
             let triangles = self.faces.triangles();
             tangents(triangles.vertices.items(), triangles.indices.items(), uv)
         });
-        let (vertices, indices) = (self.faces.vertex_count(), self.faces.index_count());
+        let vertices = self.faces.vertex_count();
+        let [mut positions, mut normals] = [(); 2].map(|()| Vec::with_capacity(vertices));
+        let mut indices = Vec::with_capacity(self.faces.index_count());
+        let Ok(()) = self.faces.positions(&mut positions);
+        let Ok(()) = self.faces.normals(&mut normals);
+        let Ok(()) = self.faces.indices(&mut indices);
         TriangleMesh {
             rule: self.rule.map(|rule| table.rules()[rule as usize].clone()),
             building: self.building,
             material,
-            positions: gathered(vertices, |add| self.faces.positions(add)),
-            normals: gathered(vertices, |add| self.faces.normals(add)),
+            positions,
+            normals,
             tangents,
-            indices: gathered(indices, |add| self.faces.indices(add)),
+            indices,
             uvs: self.uvs,
             leaves: self.leaves,
             places: self.places,
         }
     }
-}
-
-/// A list of `count` items that `each` passes on, many at once.
-fn gathered<T: Copy>(
-    count: usize,
-    each: impl FnOnce(&mut dyn FnMut(&[T]) -> Result<(), Infallible>) -> Result<(), Infallible>,
-) -> Vec<T> {
-    let mut list = Vec::with_capacity(count);
-    let Ok(()) = each(&mut |items| {
-        list.extend_from_slice(items);
-        Ok(())
-    });
-    list
 }
 
 impl Sink for MeshSink {

@@ -4,6 +4,7 @@
 //! at their final place, so the memory of a file is filled once.
 
 use std::borrow::Cow;
+use std::convert::Infallible;
 
 #[cfg(feature = "gltf")]
 use glam::Vec3;
@@ -79,34 +80,25 @@ fn point(corner: Vec4) -> [f32; 3] {
     (corner + Vec4::ZERO).truncate().to_array()
 }
 
-/// The number of items that are passed on at once.
-const AT_ONCE: usize = 1 << 10;
+/// Takes the items of a list, in order.
+pub(super) trait Collect<T> {
+    /// The reason why no more are taken.
+    type Error;
 
-/// Collects items and passes many on at once.
-struct Bundle<T, F> {
-    items: [T; AT_ONCE],
-    used: usize,
-    pass: F,
+    /// Takes a few items.
+    ///
+    /// # Errors
+    /// No more are taken.
+    fn add<const N: usize>(&mut self, items: [T; N]) -> Result<(), Self::Error>;
 }
 
-impl<T: Copy + Default, E, F: FnMut(&[T]) -> Result<(), E>> Bundle<T, F> {
-    fn new(pass: F) -> Self {
-        Bundle { items: [T::default(); AT_ONCE], used: 0, pass }
-    }
+impl<T> Collect<T> for Vec<T> {
+    type Error = Infallible;
 
     #[inline]
-    fn add<const N: usize>(&mut self, items: [T; N]) -> Result<(), E> {
-        if AT_ONCE - self.used < N {
-            self.hand_over()?;
-        }
-        self.items[self.used..self.used + N].copy_from_slice(&items);
-        self.used += N;
+    fn add<const N: usize>(&mut self, items: [T; N]) -> Result<(), Infallible> {
+        self.extend(items);
         Ok(())
-    }
-
-    fn hand_over(&mut self) -> Result<(), E> {
-        let used = std::mem::take(&mut self.used);
-        (self.pass)(&self.items[..used])
     }
 }
 
@@ -213,46 +205,36 @@ impl PackedFaces {
         list.into_iter().rev()
     }
 
-    /// Passes the positions of all vertices on, in order, many at once.
-    pub(super) fn positions<E>(&self, pass: impl FnMut(&[[f32; 3]]) -> Result<(), E>) -> Result<(), E> {
-        let mut to = Bundle::new(pass);
-        for (_, faces) in self.runs() {
-            match faces {
-                Faces::Quads(quads) => quads.iter().try_for_each(|quad| to.add(quad.corners))?,
-                Faces::Boxes(boxes) => boxes.iter().try_for_each(|block| to.add(block.positions()))?,
-                Faces::Loose(vertices, ..) => vertices.iter().try_for_each(|&[x, y, z, ..]| to.add([[x, y, z]]))?,
-            }
-        }
-        to.hand_over()
+    /// Passes the positions of all vertices on, in order.
+    pub(super) fn positions<C: Collect<[f32; 3]>>(&self, to: &mut C) -> Result<(), C::Error> {
+        self.runs().try_for_each(|(_, faces)| match faces {
+            Faces::Quads(quads) => quads.iter().try_for_each(|quad| to.add(quad.corners)),
+            Faces::Boxes(boxes) => boxes.iter().try_for_each(|block| to.add(block.positions())),
+            Faces::Loose(vertices, ..) => vertices.iter().try_for_each(|&[x, y, z, ..]| to.add([[x, y, z]])),
+        })
     }
 
-    /// Passes the normals of all vertices on, in order, many at once.
-    pub(super) fn normals<E>(&self, pass: impl FnMut(&[[f32; 3]]) -> Result<(), E>) -> Result<(), E> {
-        let mut to = Bundle::new(pass);
-        for (_, faces) in self.runs() {
-            match faces {
-                Faces::Quads(quads) => quads.iter().try_for_each(|quad| to.add([quad.normal; 4]))?,
-                Faces::Boxes(boxes) => boxes.iter().try_for_each(|block| to.add(self.box_normals(block)))?,
-                Faces::Loose(vertices, ..) => vertices.iter().try_for_each(|&[.., x, y, z]| to.add([[x, y, z]]))?,
-            }
-        }
-        to.hand_over()
+    /// Passes the normals of all vertices on, in order.
+    pub(super) fn normals<C: Collect<[f32; 3]>>(&self, to: &mut C) -> Result<(), C::Error> {
+        self.runs().try_for_each(|(_, faces)| match faces {
+            Faces::Quads(quads) => quads.iter().try_for_each(|quad| to.add([quad.normal; 4])),
+            Faces::Boxes(boxes) => boxes.iter().try_for_each(|block| to.add(self.box_normals(block))),
+            Faces::Loose(vertices, ..) => vertices.iter().try_for_each(|&[.., x, y, z]| to.add([[x, y, z]])),
+        })
     }
 
-    /// Passes all indices on, in order, many at once.
-    pub(super) fn indices<E>(&self, pass: impl FnMut(&[u32]) -> Result<(), E>) -> Result<(), E> {
-        let mut to = Bundle::new(pass);
+    /// Passes all indices on, in order.
+    pub(super) fn indices<C: Collect<u32>>(&self, to: &mut C) -> Result<(), C::Error> {
         let quad = |first: u32| [first, first + 1, first + 2, first, first + 2, first + 3];
-        for (vertex, faces) in self.runs() {
+        self.runs().try_for_each(|(vertex, faces)| {
             let first = vertex as u32;
             let mut quads = |count: usize| (0..count as u32).try_for_each(|number| to.add(quad(first + 4 * number)));
             match faces {
-                Faces::Quads(list) => quads(list.len())?,
-                Faces::Boxes(boxes) => quads(6 * boxes.len())?,
-                Faces::Loose(_, indices, own) => indices.iter().try_for_each(|index| to.add([index - own + first]))?,
+                Faces::Quads(list) => quads(list.len()),
+                Faces::Boxes(boxes) => quads(6 * boxes.len()),
+                Faces::Loose(_, indices, own) => indices.iter().try_for_each(|index| to.add([index - own + first])),
             }
-        }
-        to.hand_over()
+        })
     }
 
     /// The vertices and indices as lists.
@@ -272,10 +254,9 @@ impl PackedFaces {
                 Faces::Loose(vertices, ..) => all.vertices.extend(vertices.iter().copied()),
             }
         }
-        let Ok(()) = self.indices(|indices| {
-            all.indices.extend(indices.iter().copied());
-            Ok::<(), std::convert::Infallible>(())
-        });
+        let mut indices = Vec::with_capacity(self.indices);
+        let Ok(()) = self.indices(&mut indices);
+        all.indices.extend(indices.into_iter());
         Cow::Owned(all)
     }
 
@@ -365,21 +346,9 @@ mod tests {
             let made = packed.triangles();
             assert_eq!((made.vertices.items(), made.indices.items()), (plain.vertices.items(), plain.indices.items()));
             let (mut positions, mut normals, mut indices) = (Vec::new(), Vec::new(), Vec::new());
-            let all: Result<(), ()> = packed.positions(|more| {
-                positions.extend_from_slice(more);
-                Ok(())
-            });
-            all.expect("no error");
-            let all: Result<(), ()> = packed.normals(|more| {
-                normals.extend_from_slice(more);
-                Ok(())
-            });
-            all.expect("no error");
-            let all: Result<(), ()> = packed.indices(|more| {
-                indices.extend_from_slice(more);
-                Ok(())
-            });
-            all.expect("no error");
+            let Ok(()) = packed.positions(&mut positions);
+            let Ok(()) = packed.normals(&mut normals);
+            let Ok(()) = packed.indices(&mut indices);
             let vertices: Vec<Vertex> =
                 positions.iter().zip(&normals).map(|([x, y, z], [u, v, w])| [*x, *y, *z, *u, *v, *w]).collect();
             assert_eq!((&vertices[..], &indices[..]), (plain.vertices.items(), plain.indices.items()));
@@ -388,13 +357,18 @@ mod tests {
 
     #[test]
     fn an_error_ends_the_work() {
-        let (packed, _) = both();
-        let mut calls = 0;
-        let ended = packed.positions(|_| {
-            calls += 1;
-            Err(())
-        });
-        assert_eq!((ended, calls), (Err(()), 1));
+        /// Takes nothing.
+        struct Full(usize);
+        impl Collect<[f32; 3]> for Full {
+            type Error = ();
+            fn add<const N: usize>(&mut self, _: [[f32; 3]; N]) -> Result<(), ()> {
+                self.0 += 1;
+                Err(())
+            }
+        }
+        let ((packed, _), mut full) = (both(), Full(0));
+        let ended = packed.positions(&mut full);
+        assert_eq!((ended, full.0), (Err(()), 1));
     }
 
     #[test]

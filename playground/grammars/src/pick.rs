@@ -8,7 +8,7 @@ use cga::sink::meshes::{Granularity, MeshLeaf, Meshes, TriangleMesh};
 pub struct Picker {
     meshes: Meshes,
     /// The rule of each leaf.
-    rules: Vec<&'static str>,
+    rules: Vec<String>,
 }
 
 /// Some triangles of a leaf, and the map that places them.
@@ -17,13 +17,13 @@ type LeafTriangles<'p> = (&'p TriangleMesh, &'p MeshLeaf, DAffine3);
 impl Picker {
     /// Prepares a model.
     pub fn new(model: &Model) -> Self {
-        let rules = model.leaves().map(|leaf| leaf.rule()).collect();
+        let rules = model.leaves().map(|leaf| leaf.rule().to_owned()).collect();
         Picker { meshes: model.meshes(Granularity::Material), rules }
     }
 
     /// The rule of a leaf.
-    pub fn rule(&self, leaf: usize) -> Option<&'static str> {
-        self.rules.get(leaf).copied()
+    pub fn rule(&self, leaf: usize) -> Option<&str> {
+        self.rules.get(leaf).map(String::as_str)
     }
 
     /// The leaf that a ray hits first. Faces are hit from both sides.

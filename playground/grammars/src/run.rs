@@ -105,7 +105,7 @@ fn unknown(name: &str) -> String {
     format!("there is no grammar `{name}`; the page has {}", known.join(", "))
 }
 
-fn facts(entry: &CatalogEntry, model: &Model, attributes: Value, used: BTreeMap<&str, Vec<Value>>) -> String {
+fn facts(entry: &CatalogEntry, model: &Model, attributes: Value, used: BTreeMap<cga::Text, Vec<Value>>) -> String {
     let rules = model
         .counts()
         .into_iter()

@@ -66,10 +66,9 @@ impl<'a> BinaryChunk<'a> {
     pub(super) fn write(&self, to: &mut Words<'_>) -> io::Result<()> {
         let start = to.len();
         for view in &self.bytes {
-            to.pad(start + view.start / 4, 0);
+            to.pad(start + view.start / 4, 0)?;
             (view.append)(to)?;
         }
-        to.pad(start + self.length / 4, 0);
-        Ok(())
+        to.pad(start + self.length / 4, 0)
     }
 }

@@ -46,7 +46,7 @@ impl<'a> Container<'a> {
         let [version, length, json_length] = [2, self.length, self.json_length].each(u32::to_le_bytes);
         words.each(&[*b"glTF", version, length, json_length, *b"JSON"], |word| [*word])?;
         words.bytes(self.json.as_bytes(), b' ')?;
-        words.pad((20 + self.json_length as usize) / 4, b' ');
+        words.pad((20 + self.json_length as usize) / 4, b' ')?;
         if self.binary.length != 0 {
             words.each(&[(self.binary.length as u32).to_le_bytes(), *b"BIN\0"], |word| [*word])?;
             self.binary.write(&mut words)?;

@@ -11,15 +11,15 @@ use crate::output::tangents::tangents;
 
 impl Primitive {
     pub(super) fn write_indices(&self, to: &mut Words<'_>) -> io::Result<()> {
-        self.faces.indices(|indices| to.each(indices, |index| [index.to_le_bytes()]))
+        self.faces.indices(to)
     }
 
     pub(super) fn write_positions(&self, to: &mut Words<'_>) -> io::Result<()> {
-        self.faces.positions(|positions| to.floats(positions.as_flattened()))
+        self.faces.positions(to)
     }
 
     pub(super) fn write_normals(&self, to: &mut Words<'_>) -> io::Result<()> {
-        self.faces.normals(|normals| to.floats(normals.as_flattened()))
+        self.faces.normals(to)
     }
 
     /// Writes the tangents of vertices for a normal map.

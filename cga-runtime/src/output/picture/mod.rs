@@ -106,7 +106,7 @@ impl Picture {
     /// use cga::output::model::Model;
     /// use cga::output::picture::Picture;
     ///
-    /// fn picked(model: &Model, [x, y]: [usize; 2]) -> Option<&'static str> {
+    /// fn picked(model: &Model, [x, y]: [usize; 2]) -> Option<&str> {
     ///     let leaf = Picture::new(800, 600).leaves(model)[y * 800 + x]?;
     ///     model.leaves().nth(leaf).map(|leaf| leaf.rule())
     /// }
