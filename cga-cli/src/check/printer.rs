@@ -1,9 +1,9 @@
 //! Findings and summaries of files.
 
-use crate::count::count;
-use crate::files::LoadedFiles;
-use crate::format::{self, Format};
-use crate::options::Options;
+use super::count::count;
+use super::files::LoadedFiles;
+use super::format::{self, Format};
+use crate::options::CheckOptions;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
@@ -21,7 +21,7 @@ type FindingKey = (String, u32, u32, Code, Line);
 
 /// Prints findings and summaries, and counts them.
 pub(crate) struct Printer<'o> {
-    options: &'o Options,
+    options: &'o CheckOptions,
     /// Files that other files import: no run starts in them.
     imported: HashSet<String>,
     /// The findings so far. A file that many import has the same findings each time.
@@ -34,14 +34,14 @@ pub(crate) struct Printer<'o> {
 }
 
 impl<'o> Printer<'o> {
-    pub(crate) fn new(options: &'o Options, imported: HashSet<String>) -> Self {
+    pub(crate) fn new(options: &'o CheckOptions, imported: HashSet<String>) -> Self {
         let (codes, later) = (BTreeMap::new(), BTreeMap::new());
         Printer { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
     }
 
     /// Returns true if a file has errors, or warnings that are denied.
     pub(crate) fn has_failed(&self) -> bool {
-        let denied = |level: Level| level == Level::Error || self.options.denies_warnings;
+        let denied = |level: Level| level == Level::Error || self.options.deny_warnings;
         0 < self.failed || self.codes.keys().any(|(level, _)| denied(*level))
     }
 
@@ -70,7 +70,7 @@ impl<'o> Printer<'o> {
             if let Detail::Later(name) = &diag.detail {
                 *self.later.entry(name.clone()).or_default() += 1;
             }
-            if self.options.quiet || !(self.options.shows_warnings || diag.level == Level::Error) {
+            if self.options.quiet || !(!self.options.no_warnings || diag.level == Level::Error) {
                 continue;
             }
             if own.shown == MOST_SHOWN && self.options.format == Format::Full {

@@ -9,7 +9,7 @@ use cga_lang::span::Span;
 use serde_json::json;
 
 /// A form of the findings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Format {
     /// Text with source lines.
     Full,
@@ -17,12 +17,6 @@ pub(crate) enum Format {
     Short,
     /// A JSON object for each finding.
     Json,
-}
-
-impl Format {
-    /// The forms by the names of the option.
-    pub(crate) const ALL: [(&'static str, Format); 3] =
-        [("full", Format::Full), ("short", Format::Short), ("json", Format::Json)];
 }
 
 /// Returns the word for the level of a finding.

@@ -3,30 +3,32 @@
 use cga_lang::syntax::lex::MOST_BYTES;
 use serde_json::Value;
 
+use super::format::Format;
 use super::*;
-use crate::format::Format;
+use crate::Status;
+use crate::options::CheckOptions;
 
 /// The output for a folder with these files, and true if the check succeeds. The names of files begin with `FOLDER`.
-fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut Options)) -> (String, bool) {
+fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut CheckOptions)) -> (String, bool) {
     let folder = std::env::temp_dir().join(format!("cga-check-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     for (name, text) in files {
         std::fs::write(folder.join(name), text).expect("a file");
     }
-    let mut options = Options {
+    let mut options = CheckOptions {
         paths: vec![folder.clone()],
         root: None,
         format: Format::Full,
         quiet: false,
-        shows_warnings: true,
-        denies_warnings: false,
+        no_warnings: false,
+        deny_warnings: false,
     };
     change(&mut options);
     let mut out = Vec::new();
     let code = check(&options, &mut out).expect("memory takes it all");
     std::fs::remove_dir_all(&folder).expect("the folder");
     let text = String::from_utf8(out).expect("text");
-    (text.replace(&*folder.to_string_lossy(), "FOLDER"), code == ExitCode::SUCCESS)
+    (text.replace(&*folder.to_string_lossy(), "FOLDER"), code == Status::Success)
 }
 
 fn printed(name: &str, files: &[(&str, &str)]) -> String {
@@ -88,8 +90,8 @@ fn errors_fail_and_warnings_fail_when_denied() {
     assert!(run("fine", &[fine], |_| {}).1);
     assert!(!run("error", &[error], |_| {}).1);
     assert!(run("warning", &[warning], |_| {}).1);
-    assert!(!run("denied", &[warning], |options| options.denies_warnings = true).1);
-    assert!(run("fine-denied", &[fine], |options| options.denies_warnings = true).1);
+    assert!(!run("denied", &[warning], |options| options.deny_warnings = true).1);
+    assert!(run("fine-denied", &[fine], |options| options.deny_warnings = true).1);
 }
 
 #[test]
@@ -114,14 +116,14 @@ fn imports_and_links_stay_in_the_root() {
     let text: String = imports.iter().enumerate().map(|(at, path)| format!("import a{at} : \"{path}\"\n")).collect();
     std::fs::write(rules.join("lot.cga"), format!("{text}Lot --> a4.Wall a5.Wall")).expect("a file");
     let checked = |paths: Vec<std::path::PathBuf>, root: Option<std::path::PathBuf>| {
-        let (quiet, shows_warnings, denies_warnings) = (false, false, false);
-        let options = Options { paths, root, format: Format::Full, quiet, shows_warnings, denies_warnings };
+        let (quiet, no_warnings, deny_warnings) = (false, true, false);
+        let options = CheckOptions { paths, root, format: Format::Full, quiet, no_warnings, deny_warnings };
         let mut out = Vec::new();
         let code = check(&options, &mut out).expect("memory takes it all");
         (String::from_utf8(out).expect("text").replace(&*folder.to_string_lossy(), "FOLDER"), code)
     };
     let (text, code) = checked(vec![rules.join("lot.cga")], Some(rules.clone()));
-    assert_eq!(code, ExitCode::FAILURE);
+    assert_eq!(code, Status::Failed);
     let why = "it is not a file in `FOLDER/rules`, and paths and links that lead out of this folder are not followed";
     for path in &imports[..4] {
         assert!(text.contains(&format!("cannot import `{path}`: {why}")), "{path}: {text}");
@@ -133,9 +135,9 @@ fn imports_and_links_stay_in_the_root() {
     symlink(folder.join("secret.cga"), rules.join("link.cga")).expect("a link");
     for path in [folder.join("secret.cga"), rules.join("link.cga"), rules.clone()] {
         let (text, code) = checked(vec![path], Some(rules.clone()));
-        assert!(code == ExitCode::from(2) && !text.contains("secret text"), "{text}");
+        assert!(code == Status::Unusable && !text.contains("secret text"), "{text}");
     }
-    assert_eq!(checked(vec![rules.clone()], Some(rules.join("none"))).1, ExitCode::from(2));
+    assert_eq!(checked(vec![rules.clone()], Some(rules.join("none"))).1, Status::Unusable);
     std::fs::remove_dir_all(&folder).expect("the folder");
 }
 
@@ -144,15 +146,15 @@ fn a_file_of_many_bytes_is_not_read() {
     let folder = std::env::temp_dir().join(format!("cga-check-long-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     std::fs::write(folder.join("lot.cga"), " ".repeat(MOST_BYTES + 1)).expect("a file");
-    let options = Options {
+    let options = CheckOptions {
         paths: vec![folder.join("lot.cga")],
         root: None,
         format: Format::Full,
         quiet: false,
-        shows_warnings: true,
-        denies_warnings: false,
+        no_warnings: false,
+        deny_warnings: false,
     };
     let mut out = Vec::new();
-    assert_eq!(check(&options, &mut out).expect("memory takes it all"), ExitCode::from(2));
+    assert_eq!(check(&options, &mut out).expect("memory takes it all"), Status::Unusable);
     std::fs::remove_dir_all(&folder).expect("the folder");
 }

@@ -1,0 +1,44 @@
+//! The initial shapes of a run.
+
+use std::path::Path;
+
+use cga::{Assets, Grammar, Mesh, Shape};
+
+use crate::footprints;
+use crate::options::LotOptions;
+
+/// The width and the depth of a lot that is not given, in metres.
+const USUAL: (f64, f64) = (20.0, 15.0);
+
+/// The initial shapes, with seeds from `seed` on.
+///
+/// # Errors
+/// A sentence about a file that cannot be used.
+pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Vec<Shape>, String> {
+    if let Some(path) = &options.footprint {
+        let text = std::fs::read_to_string(path).map_err(|why| unread(path, why))?;
+        let (lots, notes) = footprints::lots(&text, grammar, seed).map_err(|why| unread(path, why))?;
+        notes.iter().for_each(|note| eprintln!("{}: {note}", path.display()));
+        return Ok(lots);
+    }
+    let shape = match &options.mesh {
+        Some(path) => Shape::mesh(mesh(path).map_err(|why| unread(path, why))?),
+        None => {
+            let (width, depth) = options.lot.unwrap_or(USUAL);
+            Shape::rectangle(width, depth)
+        }
+    };
+    Ok(vec![shape.seed(seed)])
+}
+
+fn unread(path: &Path, why: impl std::fmt::Display) -> String {
+    format!("cannot read `{}`: {why}", path.display())
+}
+
+/// The mesh of a file, with its materials.
+fn mesh(path: &Path) -> Result<Mesh, String> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let name = path.file_name().ok_or("it is not a file")?.to_string_lossy();
+    let mesh = Assets::below(folder).mesh(&name).map_err(|why| why.to_string())?;
+    Ok(Mesh::clone(&mesh))
+}

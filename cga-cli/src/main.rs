@@ -1,0 +1,52 @@
+//! The command `cga`: checks rule files as the macro does, and runs them on lots. No Rust program is built.
+//!
+//! ```text
+//! cga check rules/                                # every .cga file below a folder
+//! cga run tower.cga --lot 20x12 -o tower.glb      # a model of one lot
+//! cga run town.cga --footprint town.geojson -o town.glb -o town.png
+//! cga attributes tower.cga                        # the values that can be set
+//! cga watch tower.cga -o tower.png                # writes again at each change
+//! ```
+#![forbid(unsafe_code)]
+
+mod attributes;
+mod check;
+mod footprints;
+mod lots;
+mod options;
+mod outputs;
+mod run;
+mod watch;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+use options::{Command, Options};
+
+/// The exit status of a command: 0, 1 or 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Status {
+    /// All went well.
+    Success,
+    /// The rules have errors, or a run ended early.
+    Failed,
+    /// A file cannot be read or written, or the arguments are wrong.
+    Unusable,
+}
+
+impl From<Status> for ExitCode {
+    fn from(status: Status) -> Self {
+        ExitCode::from(status as u8)
+    }
+}
+
+fn main() -> ExitCode {
+    let status = match Options::parse().command {
+        // Whoever reads may stop reading, as `head` does: that is no failure.
+        Command::Check(options) => check::check(&options, &mut std::io::stdout().lock()).unwrap_or(Status::Unusable),
+        Command::Run(options) => run::command(&options),
+        Command::Attributes(options) => attributes::command(&options),
+        Command::Watch(options) => watch::command(&options),
+    };
+    status.into()
+}

@@ -1,0 +1,91 @@
+//! The files of a run.
+
+use std::io::Write as _;
+use std::path::Path;
+
+use cga::sink::picture::Picture;
+use cga::{Batches, Model, Report, WriteError};
+
+/// The kind of a file, by the ending of its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FileKind {
+    Glb,
+    Obj,
+    Png,
+    Svg,
+}
+
+impl FileKind {
+    /// The kind of a file.
+    ///
+    /// # Errors
+    /// Its name has another ending.
+    pub(crate) fn of(path: &Path) -> Result<Self, String> {
+        let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+        match ending.as_str() {
+            "glb" => Ok(FileKind::Glb),
+            "obj" => Ok(FileKind::Obj),
+            "png" => Ok(FileKind::Png),
+            "svg" => Ok(FileKind::Svg),
+            _ => Err(format!("`{}` ends in none of .glb, .obj, .png and .svg", path.display())),
+        }
+    }
+}
+
+/// The result of a run: the model of a lot, or the models of all lots of a file.
+pub(crate) enum Output {
+    One(Model),
+    Many(Batches<Model>),
+}
+
+impl Output {
+    /// The number of its parts.
+    pub(crate) fn parts(&self) -> usize {
+        match self {
+            Output::One(model) => model.len(),
+            Output::Many(models) => models.sinks().map(Model::len).sum(),
+        }
+    }
+
+    pub(crate) fn report(&self) -> &Report {
+        match self {
+            Output::One(model) => model.report(),
+            Output::Many(models) => models.report(),
+        }
+    }
+
+    /// Writes a file. A file of that name stays as it is if this fails.
+    ///
+    /// # Errors
+    /// A sentence about the file.
+    pub(crate) fn write(&self, path: &Path, (width, height): (usize, usize)) -> Result<(), String> {
+        let picture = |model: &Model| Picture::new(width, height).render(model).write_png(path);
+        let written = match (FileKind::of(path)?, self) {
+            (FileKind::Glb, Output::One(model)) => model.write_glb(path),
+            (FileKind::Glb, Output::Many(models)) => models.write_glb(path),
+            (FileKind::Obj, Output::One(model)) => model.write_obj(path),
+            (FileKind::Obj, Output::Many(models)) => models.write_obj(path),
+            (FileKind::Png, Output::One(model)) => picture(model),
+            (FileKind::Png, Output::Many(models)) => picture(&models.to_model()),
+            (FileKind::Svg, Output::One(model)) => model.write_svg(path),
+            (FileKind::Svg, Output::Many(models)) => models.to_model().write_svg(path),
+        };
+        written.map_err(|why: WriteError| format!("cannot write `{}`: {why}", path.display()))
+    }
+}
+
+/// Writes the reported values as JSON to a file, or to standard output for `-`.
+///
+/// # Errors
+/// A sentence about the file.
+pub(crate) fn write_reports(report: &Report, path: &Path) -> Result<(), String> {
+    let refused = |why: &dyn std::fmt::Display| format!("cannot write the reports to `{}`: {why}", path.display());
+    let mut text = serde_json::to_string_pretty(report.reports()).map_err(|why| refused(&why))?;
+    text.push('\n');
+    if path == Path::new("-") {
+        // Whoever reads may stop reading.
+        let _ = std::io::stdout().lock().write_all(text.as_bytes());
+        return Ok(());
+    }
+    std::fs::write(path, text).map_err(|why| refused(&why))
+}

@@ -1,0 +1,125 @@
+//! Runs a rule file.
+
+use std::io::Write as _;
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use cga::{Assets, Error, Grammar as _, RuleFile, RuleLoader, Scene, Settings, Shape, Watch};
+
+use crate::Status;
+use crate::lots::lots;
+use crate::options::{RuleOptions, RunOptions};
+use crate::outputs::{FileKind, Output, write_reports};
+
+/// The reason why a command ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Problem {
+    pub(crate) status: Status,
+    pub(crate) message: String,
+}
+
+impl Problem {
+    pub(crate) fn failed(message: impl ToString) -> Self {
+        Problem { status: Status::Failed, message: message.to_string() }
+    }
+
+    pub(crate) fn unusable(message: impl ToString) -> Self {
+        Problem { status: Status::Unusable, message: message.to_string() }
+    }
+}
+
+/// Runs the rules once.
+pub(crate) fn command(options: &RunOptions) -> Status {
+    run(options).unwrap_or_else(|problem| {
+        eprintln!("{}", problem.message);
+        problem.status
+    })
+}
+
+/// Loads rules.
+///
+/// # Errors
+/// The file cannot be read, or its rules have errors.
+pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
+    let RuleOptions { file, root, name } = options;
+    let mut loader = RuleLoader::new();
+    if let Some(root) = root {
+        loader = loader.root(root);
+    }
+    if let Some(name) = name {
+        loader = loader.named(name);
+    }
+    // A file that is not there is no error of the rules.
+    let status = if at(root.as_deref(), file).is_file() { Status::Failed } else { Status::Unusable };
+    loader.open(file).map_err(|error| Problem { status, message: error.to_string() })
+}
+
+/// The place of a rule file.
+pub(crate) fn at(root: Option<&Path>, file: &Path) -> std::path::PathBuf {
+    root.map_or_else(|| file.to_owned(), |root| root.join(file))
+}
+
+/// Loads the rules, runs them, and writes the files.
+pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
+    // Nothing runs for files that cannot be written.
+    options.output.iter().try_for_each(|path| FileKind::of(path).map(drop)).map_err(Problem::unusable)?;
+    let mut rules = load(&options.rules)?;
+    rules.warnings().iter().for_each(|warning| eprintln!("{warning}\n"));
+    for (name, value) in &options.values {
+        rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;
+    }
+    let lots = lots(&options.lot, &rules, options.seed).map_err(Problem::unusable)?;
+    let settings = Settings {
+        start: options.start.clone(),
+        assets: Arc::new(options.assets.as_ref().map_or_else(Assets::new, Assets::below)),
+        watch: options.deadline.map(Watch::deadline),
+        ..Settings::default()
+    };
+    let begun = Instant::now();
+    let output = derive(&rules, &lots, &settings).map_err(Problem::failed)?;
+    let took = begun.elapsed();
+    tell(&output);
+    if output.report().stopped {
+        let after = options.deadline.unwrap_or_default().as_secs_f64();
+        return Err(Problem::failed(format!("the run was ended after {after} seconds; no file was written")));
+    }
+    for path in &options.output {
+        output.write(path, options.size).map_err(Problem::unusable)?;
+    }
+    if let Some(path) = &options.reports {
+        write_reports(output.report(), path).map_err(Problem::unusable)?;
+    }
+    summary(options, &output, lots.len(), took);
+    let fails = options.deny_faults && !output.report().faults().is_empty();
+    Ok(if fails { Status::Failed } else { Status::Success })
+}
+
+/// Runs the rules on all lots. A single lot has no neighbours.
+fn derive(rules: &RuleFile, lots: &[Shape], settings: &Settings) -> Result<Output, String> {
+    let named = |error: Error| error.to_string();
+    match lots {
+        [lot] => rules.generate_with(lot, settings).map(Output::One).map_err(named),
+        lots => Scene::new(rules, lots).generate(settings).map(Output::Many).map_err(|error| error.to_string()),
+    }
+}
+
+/// Writes the printed lines to standard output, and the faults to standard error.
+fn tell(output: &Output) {
+    let report = output.report();
+    let mut out = std::io::stdout().lock();
+    // Whoever reads may stop reading.
+    let _ = report.prints().iter().try_for_each(|print| writeln!(out, "{print}"));
+    report.faults().iter().for_each(|fault| eprintln!("{fault}"));
+    if 0 < report.faults_left_out() {
+        eprintln!("… and {} more faults", report.faults_left_out());
+    }
+}
+
+/// Says what was made, for a person who waits.
+fn summary(options: &RunOptions, output: &Output, lots: usize, took: Duration) {
+    let lots = if lots == 1 { String::new() } else { format!("{lots} lots, ") };
+    let files: Vec<String> = options.output.iter().map(|path| format!("`{}`", path.display())).collect();
+    let written = if files.is_empty() { String::new() } else { format!("; wrote {}", files.join(", ")) };
+    eprintln!("{lots}{} parts in {:.1} ms{written}", output.parts(), 1e3 * took.as_secs_f64());
+}
