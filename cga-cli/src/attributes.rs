@@ -48,7 +48,7 @@ fn table(rules: &RuleFile) -> String {
 fn described(rules: &RuleFile, attribute: &Attribute) -> String {
     let mut parts = vec![match &attribute.default {
         Some(value) => value.to_string(),
-        None => format!("({}, computed for each lot)", attribute.ty.name()),
+        None => format!("({}, computed for each lot)", attribute.ty),
     }];
     if let Some(range) = attribute.range {
         parts.push(format!("{} to {}", range.min, range.max));
@@ -79,7 +79,7 @@ mod tests {
         ";
         let rules = RuleFile::from_text(rules).expect("good rules");
         let expected = "start rules: Lot\n\nSize\n  height   12; 3 to 60; In metres.\n  wall     brick; one of brick, stone\n  \
-                        storeys  (number, computed for each lot)\n";
+                        storeys  (a number, computed for each lot)\n";
         assert_eq!(table(&rules), expected);
     }
 }

@@ -231,7 +231,7 @@ mod tests {
             (&["run", "a.cga", "--lot", "3x3", "--mesh", "a.obj"], "cannot be used with"),
             (&["run", "a.cga", "--set", "height"], "as in `height=12`"),
             (&["run", "a.cga", "--size", "0x10"], "write two numbers of pixels up to 16384"),
-            (&["run", "a.cga", "--deadline", "-1"], "write a number of seconds"),
+            (&["run", "a.cga", "--deadline=-1"], "write a number of seconds"),
             (&["rum", "a.cga"], "'run'"),
         ] {
             let error = of(args).expect_err("wrong");

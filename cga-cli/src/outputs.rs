@@ -70,7 +70,7 @@ impl Output {
             (FileKind::Svg, Output::One(model)) => model.write_svg(path),
             (FileKind::Svg, Output::Many(models)) => models.to_model().write_svg(path),
         };
-        written.map_err(|why: WriteError| format!("cannot write `{}`: {why}", path.display()))
+        written.map_err(|why: WriteError| why.to_string())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Runs a rule file again at each change.
 
 use std::path::{Path, PathBuf};
-use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use notify::{Event, RecursiveMode, Watcher as _};
@@ -13,7 +13,7 @@ use crate::run;
 /// The time in which further changes join the first one: editors write a file in several steps.
 const TOGETHER: Duration = Duration::from_millis(20);
 
-/// Runs the rules, and again after each change, until the watch ends. Errors are shown, and the files of the last good run stay.
+/// Runs the rules, and again after each change, until the process ends. Errors are shown, and the files of the last good run stay.
 pub(crate) fn command(options: &RunOptions) -> Status {
     match watch(options) {
         Ok(()) => Status::Success,
@@ -25,72 +25,135 @@ pub(crate) fn command(options: &RunOptions) -> Status {
 }
 
 fn watch(options: &RunOptions) -> Result<(), String> {
-    let file = run::at(options.rules.root.as_deref(), &options.rules.file);
+    let sources = Sources::of(options)?;
     let (send, changes) = channel();
     let mut watcher = notify::recommended_watcher(send).map_err(|why| format!("cannot watch files: {why}"))?;
-    for folder in folders(&file, options)? {
-        let watched = watcher.watch(&folder, RecursiveMode::Recursive);
+    for folder in sources.folders() {
+        let watched = watcher.watch(folder, RecursiveMode::Recursive);
         watched.map_err(|why| format!("cannot watch `{}`: {why}", folder.display()))?;
     }
-    let outputs: Vec<PathBuf> = options.output.iter().filter_map(|path| std::path::absolute(path).ok()).collect();
     loop {
         run::command(options);
-        if !next(&changes, &outputs)? {
+        if !next(&changes, &sources)? {
             return Ok(());
         }
     }
 }
 
-/// The folders whose files a run reads: of the rules, and of assets.
-fn folders(file: &Path, options: &RunOptions) -> Result<Vec<PathBuf>, String> {
-    let of = |path: &Path| {
-        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        folder.canonicalize().map_err(|why| format!("cannot watch the folder of `{}`: {why}", path.display()))
-    };
-    let mut folders = vec![of(file)?];
-    if let Some(root) = &options.rules.root {
-        folders.push(of(&root.join("rules"))?);
-    }
-    for path in options.lot.footprint.iter().chain(&options.lot.mesh) {
-        folders.push(of(path)?);
-    }
-    if let Some(assets) = &options.assets {
-        folders.push(of(&assets.join("assets"))?);
-    }
-    folders.sort();
-    folders.dedup();
-    Ok(folders)
-}
-
-/// Waits for a change of a file that is not written by the run itself. Returns false when no more changes come.
-fn next(changes: &Receiver<notify::Result<Event>>, outputs: &[PathBuf]) -> Result<bool, String> {
-    let is_change = |event: &Event| {
-        let is_write = event.kind.is_create() || event.kind.is_modify() || event.kind.is_remove();
-        is_write && event.paths.iter().any(|path| is_source(path, outputs))
-    };
+/// Waits for a change of the sources. Returns false when no more changes come.
+fn next(changes: &Receiver<notify::Result<Event>>, sources: &Sources) -> Result<bool, String> {
     loop {
         let Ok(event) = changes.recv() else { return Ok(false) };
-        if is_change(&event.map_err(|why| format!("cannot watch files: {why}"))?) {
+        if sources.changed(&event.map_err(|why| format!("cannot watch files: {why}"))?) {
             break;
         }
     }
-    while !matches!(changes.recv_timeout(TOGETHER), Err(RecvTimeoutError::Timeout | RecvTimeoutError::Disconnected)) {}
+    while changes.recv_timeout(TOGETHER).is_ok() {}
     Ok(true)
 }
 
-/// Returns true for a file that a run may read.
-fn is_source(path: &Path, outputs: &[PathBuf]) -> bool {
-    let is_output = |output: &PathBuf| {
-        // Files are written under another name and then renamed; an OBJ file has its materials beside it.
-        path.parent() == output.parent()
-            && path
-                .file_stem()
-                .is_some_and(|own| output.file_stem().is_some_and(|stem| own == stem || starts_with(own, stem)))
-    };
-    let is_rules = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("cga"));
-    is_rules || !outputs.iter().any(is_output)
+/// The files that a run reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Sources {
+    /// The folders of the rules: each rule file in and below them may be imported.
+    rules: Vec<PathBuf>,
+    /// The files of lots. A mesh has a file of materials beside it.
+    lots: Vec<PathBuf>,
+    /// The folder of assets.
+    assets: Option<PathBuf>,
+    /// The files that the run writes, which are no change.
+    outputs: Vec<PathBuf>,
 }
 
-fn starts_with(name: &std::ffi::OsStr, start: &std::ffi::OsStr) -> bool {
-    name.to_string_lossy().trim_start_matches('.').starts_with(&*start.to_string_lossy())
+impl Sources {
+    /// # Errors
+    /// A folder does not exist.
+    fn of(options: &RunOptions) -> Result<Self, String> {
+        let real = |path: &Path| path.canonicalize().map_err(|why| format!("cannot watch `{}`: {why}", path.display()));
+        let file = run::at(options.rules.root.as_deref(), &options.rules.file);
+        let rules = std::iter::once(folder(&file)).chain(options.rules.root.as_deref());
+        let lots = options.lot.footprint.iter().chain(&options.lot.mesh);
+        // A file that is written for the first time does not exist yet.
+        let output = |path: &PathBuf| Some(real(folder(path)).ok()?.join(path.file_name()?));
+        Ok(Sources {
+            rules: rules.map(real).collect::<Result<_, _>>()?,
+            lots: lots.map(|path| real(path)).collect::<Result<_, _>>()?,
+            assets: options.assets.as_deref().map(real).transpose()?,
+            outputs: options.output.iter().filter_map(output).collect(),
+        })
+    }
+
+    /// The folders to watch, each once.
+    fn folders(&self) -> Vec<&Path> {
+        let of_lots = self.lots.iter().map(|path| folder(path));
+        let mut folders: Vec<&Path> =
+            self.rules.iter().chain(&self.assets).map(PathBuf::as_path).chain(of_lots).collect();
+        folders.sort_unstable();
+        folders.dedup();
+        folders
+    }
+
+    /// Returns true if an event is a change of a file that the run reads.
+    fn changed(&self, event: &Event) -> bool {
+        let is_change = event.kind.is_create() || event.kind.is_modify() || event.kind.is_remove();
+        is_change && event.paths.iter().any(|path| self.reads(path))
+    }
+
+    fn reads(&self, path: &Path) -> bool {
+        let has_ending = |ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        let is_rule_file = has_ending("cga") && self.rules.iter().any(|folder| path.starts_with(folder));
+        let is_lot = self.lots.iter().any(|lot| path == lot || has_ending("mtl") && path.parent() == lot.parent());
+        let is_asset = || {
+            // Files in the making have names that begin with a point.
+            let is_hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
+            self.assets.as_ref().is_some_and(|folder| path.starts_with(folder)) && !is_hidden && !self.writes(path)
+        };
+        is_rule_file || is_lot || is_asset()
+    }
+
+    /// Returns true for an output, or for the materials of one.
+    fn writes(&self, path: &Path) -> bool {
+        self.outputs.iter().any(|output| path.with_extension("") == output.with_extension(""))
+    }
+}
+
+/// The folder of a file.
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_run_begins_again_for_files_that_it_reads() {
+        let paths = |list: &[&str]| list.iter().map(PathBuf::from).collect::<Vec<_>>();
+        let sources = Sources {
+            rules: paths(&["/town/rules"]),
+            lots: paths(&["/town/lots.geojson"]),
+            assets: Some("/town/assets".into()),
+            outputs: paths(&["/town/rules/out.glb", "/town/assets/out.obj"]),
+        };
+        for path in [
+            "/town/rules/a.cga",
+            "/town/rules/parts/b.CGA",
+            "/town/lots.geojson",
+            "/town/assets/tree.obj",
+            "/town/a.mtl",
+        ] {
+            assert!(sources.reads(Path::new(path)), "{path}");
+        }
+        for path in [
+            "/town/rules/out.glb",
+            "/town/rules/note.txt",
+            "/town/a.cga",
+            "/town/assets/out.obj",
+            "/town/assets/out.mtl",
+            "/town/assets/.cga-1.part",
+        ] {
+            assert!(!sources.reads(Path::new(path)), "{path}");
+        }
+        assert_eq!(sources.folders(), ["/town", "/town/assets", "/town/rules"].map(Path::new));
+    }
 }

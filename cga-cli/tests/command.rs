@@ -1,0 +1,206 @@
+//! The command as users call it: bytes, lines, errors and exit status.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use cga::{Shape, cga};
+
+cga! {
+    pub grammar Tower in "tests/rules/tower.cga";
+}
+
+/// An empty folder that goes with its test.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("cga-cli-{name}-{}", std::process::id()));
+        fs::create_dir_all(&folder).expect("a folder");
+        fs::copy(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rules/tower.cga"), folder.join("tower.cga"))
+            .expect("the rules");
+        Folder(folder)
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.0.join(name), text).expect("a file");
+    }
+
+    fn read(&self, name: &str) -> Vec<u8> {
+        fs::read(self.0.join(name)).expect("a file")
+    }
+
+    fn command(&self, args: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_cga"));
+        command.current_dir(&self.0).args(args.split_whitespace());
+        command
+    }
+
+    fn run(&self, args: &str) -> Output {
+        self.command(args).output().expect("the command")
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// The bytes, the printed lines and the reports of compiled rules.
+fn compiled(tower: &Tower, lot: &Shape) -> (Vec<u8>, String, String) {
+    let model = tower.generate(lot).expect("no limit");
+    let prints = model.prints().iter().map(|print| format!("{print}\n")).collect();
+    let reports = serde_json::to_string_pretty(model.report().reports()).expect("JSON");
+    (model.to_glb().expect("a file"), prints, reports + "\n")
+}
+
+#[test]
+fn a_run_gives_the_bytes_the_lines_and_the_reports_of_compiled_rules() {
+    let folder = Folder::new("bytes");
+    for (seed, height) in [(7, 12.0), (8, 30.0), (9, 30.0)] {
+        let output = folder.run(&format!(
+            "run tower.cga --name Tower --lot 20x12 --seed {seed} --set height={height} -o x.glb --reports x.json"
+        ));
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let tower = Tower { height, ..Tower::default() };
+        let (glb, prints, reports) = compiled(&tower, &Shape::rectangle(20.0, 12.0).seed(seed));
+        assert!(folder.read("x.glb") == glb, "seed {seed}");
+        assert_eq!((text(&output.stdout), text(&folder.read("x.json"))), (prints, reports));
+    }
+}
+
+#[test]
+fn the_lots_of_a_file_have_their_attributes_and_seeds() {
+    let folder = Folder::new("lots");
+    let square = |east: f64| {
+        let (low, high) = (east, east + 0.0002);
+        format!("[[[{low}, 0], [{high}, 0], [{high}, 0.0002], [{low}, 0.0002], [{low}, 0]]]")
+    };
+    let polygon = |id: &str, properties: &str, east: f64| {
+        let ring = square(east);
+        format!(
+            "{{\"type\": \"Feature\", \"id\": \"{id}\", \"properties\": {properties}, \
+             \"geometry\": {{\"type\": \"Polygon\", \"coordinates\": {ring}}}}}"
+        )
+    };
+    let features = [
+        polygon("low", "{\"height\": 6, \"owner\": \"Ann\"}", -0.001),
+        "{\"type\": \"Feature\", \"properties\": null, \"geometry\": {\"type\": \"Point\", \"coordinates\": [0, 0]}}"
+            .to_owned(),
+        polygon("high", "{\"height\": \"18\"}", 0.0),
+    ];
+    folder.write(
+        "town.geojson",
+        &format!("{{\"type\": \"FeatureCollection\", \"features\": [{}]}}", features.join(", ")),
+    );
+    let output = folder.run("run tower.cga --footprint town.geojson --seed 3 -o town.obj -o town.svg");
+    let errors = text(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    assert!(
+        errors.contains("feature 1 is left out: a Point is not a polygon") && errors.contains("2 lots, "),
+        "{errors}"
+    );
+    let obj = text(&folder.read("town.obj"));
+    let corners: Vec<[f64; 3]> = obj
+        .lines()
+        .filter_map(|line| line.strip_prefix("v "))
+        .map(|line| {
+            let mut numbers = line.split(' ').map(|number| number.parse().expect("a number"));
+            [(); 3].map(|()| numbers.next().expect("three"))
+        })
+        .collect();
+    let walls = |west: bool| corners.iter().filter(move |corner| (corner[0] < 0.0) == west).map(|corner| corner[1]);
+    // 0.0002 degrees are 22.2 m at the equator, so the roof adds 6.4 m.
+    for (west, height) in [(true, 6.0), (false, 18.0)] {
+        let top = walls(west).fold(0.0, f64::max);
+        assert!((height + 6.3..height + 6.9).contains(&top), "{west}: {top}");
+    }
+    assert!(text(&folder.read("town.svg")).starts_with("<svg"));
+}
+
+#[test]
+fn mistakes_have_a_message_and_a_status() {
+    let folder = Folder::new("mistakes");
+    folder.write("wrong.cga", "Lot --> extrude(\n");
+    folder.write("endless.cga", "Lot --> split(x) { '0.5 : Lot Lot Lot | ~1 : Lot Lot Lot }");
+    folder.write("fault.cga", "Lot --> i(\"lost.obj\") X.");
+    folder.write("feet.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]]]}");
+    for (args, status, message) in [
+        ("run tower.cga --set heigth=3", 2, "there is no attribute `heigth`; did you mean `height`?"),
+        ("run tower.cga --set height=300", 2, "attribute `height`: 300 is outside of 6 to 60"),
+        ("run tower.cga --start Lott", 1, "`Lott` is not a start rule"),
+        ("run lost.cga", 2, "cannot read `lost.cga`"),
+        ("run wrong.cga", 1, "error[unclosed_bracket]"),
+        ("run endless.cga --deadline 0.05", 1, "the run was ended after 0.05 seconds; no file was written"),
+        ("run fault.cga", 0, "lost.obj"),
+        ("run fault.cga --deny-faults", 1, "lost.obj"),
+        ("run tower.cga -o tower.stl", 2, "`tower.stl` ends in none of .glb, .obj, .png and .svg"),
+        ("run tower.cga -o lost/tower.glb", 2, "cannot write `lost/tower.glb`"),
+        ("run tower.cga --mesh tower.cga", 2, "cannot read `tower.cga`"),
+        ("run tower.cga --footprint tower.cga", 2, "it is not GeoJSON"),
+        ("run tower.cga --footprint feet.geojson", 2, "convert the file to EPSG:4326 first"),
+        ("attributes lost.cga", 2, "cannot read `lost.cga`"),
+        ("check wrong.cga", 1, ""),
+        ("check lost.cga", 2, "cannot read"),
+        ("watch tower.cga --assets lost", 2, "cannot watch `lost`"),
+    ] {
+        let output = folder.run(args);
+        let errors = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{args}: {errors}");
+        assert!(errors.contains(message), "{args}: {errors}");
+    }
+}
+
+#[test]
+fn attributes_are_listed() {
+    let folder = Folder::new("attributes");
+    let table = text(&folder.run("attributes tower.cga").stdout);
+    assert!(table.contains("  height  12; 6 to 60; In metres.\n") && table.starts_with("start rules: Lot"), "{table}");
+    let json: serde_json::Value =
+        serde_json::from_slice(&folder.run("attributes tower.cga --json").stdout).expect("JSON");
+    assert_eq!(json[1]["name"], "wall");
+}
+
+/// A process that ends with its test.
+struct Running(Child);
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+#[test]
+fn a_watched_file_is_run_again_and_a_mistake_keeps_the_last_model() {
+    let folder = Folder::new("watch");
+    // A second event may come for one change, so the test waits for results and not for runs.
+    let until = |what: &str, is_so: &dyn Fn() -> bool| {
+        let begun = Instant::now();
+        while !is_so() {
+            assert!(begun.elapsed() < Duration::from_secs(60), "{what}");
+            sleep(Duration::from_millis(10));
+        }
+    };
+    let expected = |height| compiled(&Tower { height, ..Tower::default() }, &Shape::rectangle(20.0, 15.0)).0;
+    let has = |bytes: Vec<u8>| fs::read(folder.0.join("x.glb")).is_ok_and(|found| found == bytes);
+    let rules = text(&folder.read("tower.cga"));
+    let log = fs::File::create(folder.0.join("log")).expect("a file");
+    let mut command = folder.command("watch tower.cga --name Tower -o x.glb");
+    let _running = Running(command.stdout(Stdio::null()).stderr(log).spawn().expect("the command"));
+    until("the first run", &|| has(expected(12.0)));
+    folder.write("tower.cga", &rules.replace("height = 12", "height = 18"));
+    until("a change", &|| has(expected(18.0)));
+    folder.write("tower.cga", &rules.replace("extrude(height)", "extrude(height"));
+    until("a mistake", &|| text(&folder.read("log")).contains("error[unclosed_bracket]"));
+    assert!(has(expected(18.0)));
+    folder.write("tower.cga", &rules);
+    until("the mend", &|| has(expected(12.0)));
+}
