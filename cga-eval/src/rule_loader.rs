@@ -168,6 +168,29 @@ impl RuleLoader {
     }
 }
 
+impl RuleFile {
+    /// A loader with more choices: files in memory, functions of the program, a name, the folder of the rules.
+    pub fn loader() -> RuleLoader {
+        RuleLoader::new()
+    }
+
+    /// Loads a rule file and the files that it imports.
+    ///
+    /// # Errors
+    /// The file cannot be read, or its rules have errors.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, RuleFileError> {
+        RuleLoader::new().open(path)
+    }
+
+    /// Loads rules that import nothing from text.
+    ///
+    /// # Errors
+    /// The rules have errors.
+    pub fn from_text(text: &str) -> Result<Self, RuleFileError> {
+        RuleLoader::new().text(text)
+    }
+}
+
 /// Diagnostics as text, as the compiler shows them.
 fn shown(compiled: &Compiled, sources: &Sources, diags: &[Diag]) -> Vec<String> {
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
