@@ -22,7 +22,7 @@ use crate::stack::Stack;
 /// The tables that all parts of the compiler use.
 pub(super) struct Compiler<'g> {
     pub(super) grammar: &'g Grammar,
-    pub(super) plan: RunPlan<'g>,
+    pub(super) plan: &'g RunPlan<'g>,
     pub(super) slots: Vec<Slot>,
     pub(super) registered: &'g Registered,
     pub(super) problems: Problems,

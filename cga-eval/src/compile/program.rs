@@ -18,12 +18,12 @@ use crate::program::{FieldCode, FunctionCode, GlobalCode, InitCode, Program, Ren
 ///
 /// # Errors
 /// Rust functions that are not registered.
-pub(crate) fn program(grammar: &Grammar, registered: &Registered) -> Result<Program, Vec<Diag>> {
+pub(crate) fn program(grammar: &Grammar, plan: &RunPlan<'_>, registered: &Registered) -> Result<Program, Vec<Diag>> {
     let mut counts = SlotCounts::default();
     let slots = grammar.globals.iter().map(|global| slot(global, &mut counts)).collect();
     let compiler = Compiler {
         grammar,
-        plan: RunPlan::new(grammar),
+        plan,
         slots,
         registered,
         problems: Problems::default(),
