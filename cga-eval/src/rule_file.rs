@@ -1,6 +1,5 @@
 //! A grammar that was loaded.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use cga_runtime::fault::Error;
@@ -14,9 +13,7 @@ use cga_runtime::run::sink::Sink;
 use cga_runtime::run::start_rule::StartRule;
 
 use crate::call::Call;
-use crate::error::RuleFileError;
 use crate::program::Program;
-use crate::rule_loader::RuleLoader;
 use crate::run::Values;
 
 /// Rules that were loaded at run time, with the values of their attributes.
@@ -51,27 +48,6 @@ pub(crate) struct Loaded {
 }
 
 impl RuleFile {
-    /// A loader with more choices: files in memory, functions of the program, a name, the folder of the rules.
-    pub fn loader() -> RuleLoader {
-        RuleLoader::new()
-    }
-
-    /// Loads a rule file and the files that it imports.
-    ///
-    /// # Errors
-    /// The file cannot be read, or its rules have errors.
-    pub fn open(path: impl AsRef<Path>) -> Result<Self, RuleFileError> {
-        RuleLoader::new().open(path)
-    }
-
-    /// Loads rules that import nothing from text.
-    ///
-    /// # Errors
-    /// The rules have errors.
-    pub fn from_text(text: &str) -> Result<Self, RuleFileError> {
-        RuleLoader::new().text(text)
-    }
-
     /// The warnings about the rules, as the compiler shows them.
     pub fn warnings(&self) -> &[String] {
         &self.loaded.warnings

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cga_lang::compile::{Compiled, compile};
-use cga_lang::diag::Diag;
 use cga_lang::diag::code::Code;
-use cga_lang::diag::code::Level;
+use cga_lang::diag::{Diag, Level};
+use cga_lang::ir::plan::RunPlan;
 use cga_lang::link::Unit;
 use cga_lang::snippet::{Lines, render_in};
 use cga_runtime::rt::{Shape, Text, Value};
@@ -152,19 +152,43 @@ impl RuleLoader {
         let Some(grammar) = &compiled.grammar else {
             return Err(RuleFileError { diagnostics: shown(&compiled.diags) });
         };
-        let program =
-            program(grammar, &self.registered).map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
+        let plan = RunPlan::new(grammar);
+        let program = program(grammar, &plan, &self.registered)
+            .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
         Ok(RuleFile {
             values: defaults.as_slice().into(),
             loaded: Arc::new(Loaded {
-                tables: tables(grammar, name, &defaults),
+                tables: tables(grammar, &plan, name, &defaults),
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
                 warnings: shown(&warnings),
             }),
         })
+    }
+}
+
+impl RuleFile {
+    /// A loader with more choices: files in memory, functions of the program, a name, the folder of the rules.
+    pub fn loader() -> RuleLoader {
+        RuleLoader::new()
+    }
+
+    /// Loads a rule file and the files that it imports.
+    ///
+    /// # Errors
+    /// The file cannot be read, or its rules have errors.
+    pub fn open(path: impl AsRef<Path>) -> Result<Self, RuleFileError> {
+        RuleLoader::new().open(path)
+    }
+
+    /// Loads rules that import nothing from text.
+    ///
+    /// # Errors
+    /// The rules have errors.
+    pub fn from_text(text: &str) -> Result<Self, RuleFileError> {
+        RuleLoader::new().text(text)
     }
 }
 

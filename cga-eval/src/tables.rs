@@ -10,8 +10,7 @@ use cga_runtime::run::start_rule::StartRule;
 use crate::object::nothing;
 
 /// The tables of a grammar with a name. `defaults` has the constant default of each attribute.
-pub(crate) fn tables(grammar: &Grammar, name: &str, defaults: &[Option<Value>]) -> RuleTables {
-    let plan = RunPlan::new(grammar);
+pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, defaults: &[Option<Value>]) -> RuleTables {
     let texts = |names: &[String]| names.iter().map(|name| Text::from(name.as_str())).collect();
     let mut attributes: Vec<Attribute> = Vec::new();
     for global in grammar.globals.iter().filter(|global| global.public) {

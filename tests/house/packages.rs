@@ -5,9 +5,10 @@ use std::path::Path;
 
 use cga_tests::tree::root;
 
-const PACKAGES: [&str; 9] = [
+const PACKAGES: [&str; 10] = [
     "",
     "cga-check",
+    "cga-eval",
     "cga-geometry",
     "cga-lang",
     "cga-macros",

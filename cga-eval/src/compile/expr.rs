@@ -9,8 +9,9 @@ use cga_lang::ir::{
 use cga_lang::ops::ParamKind;
 use cga_runtime::rt::{self, Select, func};
 
-use super::program::Registered;
-use super::{Problems, arrays};
+use super::arrays;
+use super::problems::Problems;
+use super::registered::Registered;
 use crate::code::{ArmsCode, Code, CompCode, HostCall, Instruction, NumberOperator, Sites, mode};
 use crate::dispatch::{self, FunctionCall};
 use crate::intern::intern;
@@ -21,7 +22,7 @@ use crate::stack::Stack;
 /// The tables that all parts of the compiler use.
 pub(super) struct Compiler<'g> {
     pub(super) grammar: &'g Grammar,
-    pub(super) plan: RunPlan<'g>,
+    pub(super) plan: &'g RunPlan<'g>,
     pub(super) slots: Vec<Slot>,
     pub(super) registered: &'g Registered,
     pub(super) problems: Problems,

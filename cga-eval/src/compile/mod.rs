@@ -5,8 +5,9 @@ mod blocks;
 mod expr;
 mod problems;
 mod program;
+mod registered;
 mod rules;
 mod splits;
 
-pub(crate) use problems::Problems;
-pub(crate) use program::{Registered, program};
+pub(crate) use program::program;
+pub(crate) use registered::Registered;

@@ -1,42 +1,29 @@
 //! The whole of a grammar.
 
 use std::cell::Cell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 
 use cga_lang::diag::Diag;
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, FunctionId, Global, Grammar, RuleId};
 use cga_runtime::rt::Text;
 
-use super::Problems;
 use super::expr::{Compiler, Locals, Steps, counts};
-use crate::code::{HostFunction, HostOperation};
+use super::problems::Problems;
+use super::registered::Registered;
 use crate::object::{constant, is_number};
 use crate::program::{FieldCode, FunctionCode, GlobalCode, InitCode, Program, RenewalCode, Slot, SlotCounts};
-
-/// The functions and operations of the host program, by their paths in rules.
-#[derive(Clone, Default)]
-pub(crate) struct Registered {
-    pub(crate) functions: BTreeMap<String, HostFunction>,
-    pub(crate) operations: BTreeMap<String, HostOperation>,
-}
-
-impl std::fmt::Debug for Registered {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_list().entries(self.functions.keys()).entries(self.operations.keys()).finish()
-    }
-}
 
 /// Compiles a grammar.
 ///
 /// # Errors
 /// Rust functions that are not registered.
-pub(crate) fn program(grammar: &Grammar, registered: &Registered) -> Result<Program, Vec<Diag>> {
+pub(crate) fn program(grammar: &Grammar, plan: &RunPlan<'_>, registered: &Registered) -> Result<Program, Vec<Diag>> {
     let mut counts = SlotCounts::default();
     let slots = grammar.globals.iter().map(|global| slot(global, &mut counts)).collect();
     let compiler = Compiler {
         grammar,
-        plan: RunPlan::new(grammar),
+        plan,
         slots,
         registered,
         problems: Problems::default(),
