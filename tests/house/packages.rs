@@ -7,7 +7,7 @@ use cga_tests::tree::root;
 
 const PACKAGES: [&str; 10] = [
     "",
-    "cga-check",
+    "cga-cli",
     "cga-eval",
     "cga-geometry",
     "cga-lang",

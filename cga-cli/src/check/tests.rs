@@ -10,7 +10,7 @@ use crate::options::CheckOptions;
 
 /// The output for a folder with these files, and true if the check succeeds. The names of files begin with `FOLDER`.
 fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut CheckOptions)) -> (String, bool) {
-    let folder = std::env::temp_dir().join(format!("cga-check-{name}-{}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("cga-cli-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     for (name, text) in files {
         std::fs::write(folder.join(name), text).expect("a file");
@@ -104,7 +104,7 @@ fn only_summaries_remain_when_quiet() {
 #[test]
 fn imports_and_links_stay_in_the_root() {
     use std::os::unix::fs::symlink;
-    let folder = std::env::temp_dir().join(format!("cga-check-root-{}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("cga-cli-root-{}", std::process::id()));
     let rules = folder.join("rules");
     std::fs::create_dir_all(rules.join("lib")).expect("a folder");
     std::fs::write(folder.join("secret.cga"), "secret text").expect("a file");
@@ -143,7 +143,7 @@ fn imports_and_links_stay_in_the_root() {
 
 #[test]
 fn a_file_of_many_bytes_is_not_read() {
-    let folder = std::env::temp_dir().join(format!("cga-check-long-{}", std::process::id()));
+    let folder = std::env::temp_dir().join(format!("cga-cli-long-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
     std::fs::write(folder.join("lot.cga"), " ".repeat(MOST_BYTES + 1)).expect("a file");
     let options = CheckOptions {
