@@ -23,7 +23,8 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
-/// Rules that are loaded at run time.
+#[cfg(feature = "live")]
+pub use cga_eval::{Live, LiveError};
 #[cfg(feature = "eval")]
 pub use cga_eval::{RuleFile, RuleFileError, RuleLoader};
 #[cfg(not(rust_analyzer))]

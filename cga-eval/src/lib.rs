@@ -8,6 +8,8 @@ mod current;
 mod dispatch;
 mod error;
 mod intern;
+#[cfg(feature = "live")]
+mod live;
 mod object;
 mod program;
 mod rule_file;
@@ -19,5 +21,7 @@ mod steps;
 mod tables;
 
 pub use error::RuleFileError;
+#[cfg(feature = "live")]
+pub use live::{Live, LiveError};
 pub use rule_file::RuleFile;
 pub use rule_loader::RuleLoader;

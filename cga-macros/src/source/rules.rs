@@ -60,6 +60,12 @@ impl Source {
         Unit { name, tokens: self.tokens.clone(), dialect, found: self.findings.clone() }
     }
 
+    /// The path of the rule file, from the package's folder; `None` for rules inline or in a string.
+    #[cfg(feature = "live")]
+    pub(crate) fn file(&self) -> Option<String> {
+        Some(self.unit().name).filter(|name| !name.is_empty())
+    }
+
     /// Takes over what was imported.
     pub(crate) fn import(&mut self, compiled: &Compiled, imported: Vec<Imported>) {
         let number = |name: &str| imported.iter().position(|file| file.text.name == name);

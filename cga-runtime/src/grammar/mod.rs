@@ -8,12 +8,14 @@ mod json;
 pub(crate) mod lazy;
 mod lots;
 pub mod parallel;
+mod rule_source;
 pub mod scene;
 pub mod session;
 pub(crate) mod support;
 mod unrunnable;
 
 pub use field::{Evaluated, Field};
+pub use rule_source::RuleSource;
 pub use unrunnable::Unrunnable;
 
 use self::attribute::{Attribute, AttributeError};
@@ -62,6 +64,12 @@ pub trait Grammar {
     /// again. An index out of range changes nothing. [`reset`](Grammar::reset) resets by name.
     #[doc(hidden)]
     fn attribute_reset(&mut self, index: usize);
+
+    /// The rule file that the grammar was compiled from, with the feature `live`.
+    #[doc(hidden)]
+    fn rule_source(&self) -> Option<RuleSource> {
+        None
+    }
 
     /// A copy with the same values.
     fn boxed(&self) -> Box<dyn Grammar + Send + Sync>;

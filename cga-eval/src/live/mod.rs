@@ -1,0 +1,204 @@
+//! Compiled grammars that follow their rule files while the program runs.
+
+mod watcher;
+
+use std::fmt;
+
+use cga_runtime::fault::Error;
+use cga_runtime::grammar::attribute::Attribute;
+use cga_runtime::grammar::session::DynSession;
+use cga_runtime::grammar::{Grammar, RuleSource};
+use cga_runtime::rt::{Shape, Text, Value};
+use cga_runtime::run::report::Report;
+use cga_runtime::run::settings::Settings;
+use cga_runtime::run::sink::Sink;
+use cga_runtime::run::start_rule::StartRule;
+
+use crate::error::RuleFileError;
+use crate::rule_file::RuleFile;
+use crate::rule_loader::RuleLoader;
+use watcher::Watcher;
+
+/// A grammar whose rule file is loaded again when it changes.
+///
+/// Until the first change the compiled rules run, and then the loaded ones, with the same bytes. Attributes keep the values that were set,
+/// by name. With a mistake in the rules the last good ones stay. Rust functions in rules must be [registered](Live::with_loader); new
+/// attributes have no field in the struct that `cga!` makes, so programs set them by name.
+///
+/// ```no_run
+/// # fn run<Tower: cga_runtime::grammar::Grammar + Clone + Default + Send + Sync + 'static>() -> Result<(), Box<dyn std::error::Error>> {
+/// use cga_eval::Live;
+/// use cga_runtime::grammar::Grammar;
+/// use cga_runtime::shape::Shape;
+///
+/// // `cga! { pub grammar Tower in "rules/tower.cga"; }`
+/// let mut tower = Live::new(Tower::default())?;
+/// loop {
+///     tower.generate(&Shape::rectangle(20.0, 15.0))?;
+///     while !tower.wait() {} // mistakes are written to standard error
+/// }
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Live {
+    current: Box<dyn Grammar + Send + Sync>,
+    source: RuleSource,
+    loader: RuleLoader,
+    watcher: Watcher,
+    error: Option<RuleFileError>,
+}
+
+impl fmt::Debug for Live {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Live").field("source", &self.source).field("error", &self.error).finish_non_exhaustive()
+    }
+}
+
+/// The reason why a grammar cannot follow its rules.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LiveError {
+    /// The rules are inline or in a string, or the feature `live` was off when they were compiled.
+    NoRuleFile {
+        /// The name of the grammar.
+        grammar: String,
+    },
+    /// The files cannot be watched.
+    Watch(String),
+}
+
+impl fmt::Display for LiveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LiveError::NoRuleFile { grammar } => write!(
+                f,
+                "the rules of `{grammar}` are not in a file that can be followed: write `cga! {{ grammar {grammar} in \"rules.cga\"; }}`, \
+                 and switch the feature `live` of the package `cga` on"
+            ),
+            LiveError::Watch(why) => write!(f, "the rule files cannot be watched: {why}"),
+        }
+    }
+}
+
+impl std::error::Error for LiveError {}
+
+impl Live {
+    /// Follows the rule file of a compiled grammar, `cga! { grammar Tower in "rules/tower.cga"; }`.
+    ///
+    /// # Errors
+    /// The grammar has no rule file, or the system cannot watch it.
+    pub fn new(grammar: impl Grammar + Send + Sync + 'static) -> Result<Self, LiveError> {
+        let none = || LiveError::NoRuleFile { grammar: grammar.name().to_owned() };
+        let source = grammar.rule_source().ok_or_else(none)?;
+        let mut loader = RuleLoader::new().named(source.name).root(source.folder);
+        for &(code, level) in source.levels {
+            loader = match level {
+                "deny" => loader.deny(code),
+                "warn" => loader.warn(code),
+                _ => loader.allow(code),
+            };
+        }
+        let watcher = Watcher::new(&source).map_err(LiveError::Watch)?;
+        Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None })
+    }
+
+    /// Changes the loader, to register the Rust functions that the rules call.
+    #[must_use]
+    pub fn with_loader(mut self, change: impl FnOnce(RuleLoader) -> RuleLoader) -> Self {
+        self.loader = change(self.loader);
+        self
+    }
+
+    /// Loads the rules again if a rule file has changed. Returns true if other rules run now. Mistakes are written to standard error, and
+    /// [`error`](Live::error) has them.
+    pub fn refresh(&mut self) -> bool {
+        self.watcher.has_changed() && self.load()
+    }
+
+    /// Waits until a rule file changes, and loads the rules again. Returns true if other rules run now, false after a mistake.
+    pub fn wait(&mut self) -> bool {
+        self.watcher.wait();
+        self.load()
+    }
+
+    /// The mistakes in the rules, if they could not be loaded after the last change.
+    pub fn error(&self) -> Option<&RuleFileError> {
+        self.error.as_ref()
+    }
+
+    fn load(&mut self) -> bool {
+        match self.loader.open(self.source.path) {
+            Ok(rules) => {
+                self.take(rules);
+                true
+            }
+            Err(error) => {
+                eprintln!("{error}");
+                self.error = Some(error);
+                false
+            }
+        }
+    }
+
+    /// Runs other rules. Attributes keep the values that were set; values that the new rules refuse are dropped, with a line on standard
+    /// error.
+    fn take(&mut self, mut rules: RuleFile) {
+        for (index, attribute) in self.current.attributes().iter().enumerate() {
+            let value = self.current.attribute_get(index);
+            if value == attribute.default {
+                continue;
+            }
+            if let Some(Err(error)) = value.map(|value| rules.set(&attribute.name, value)) {
+                eprintln!("the value of `{}` is dropped: {error}", attribute.name);
+            }
+        }
+        self.current = Box::new(rules);
+        self.error = None;
+    }
+}
+
+impl Grammar for Live {
+    fn name(&self) -> &str {
+        self.current.name()
+    }
+
+    fn attributes(&self) -> &[Attribute] {
+        self.current.attributes()
+    }
+
+    fn about(&self) -> &str {
+        self.current.about()
+    }
+
+    fn start_rules(&self) -> &[StartRule] {
+        self.current.start_rules()
+    }
+
+    fn attribute_get(&self, index: usize) -> Option<Value> {
+        self.current.attribute_get(index)
+    }
+
+    fn attribute_set(&mut self, index: usize, value: Value) {
+        self.current.attribute_set(index, value);
+    }
+
+    fn attribute_reset(&mut self, index: usize) {
+        self.current.attribute_reset(index);
+    }
+
+    fn boxed(&self) -> Box<dyn Grammar + Send + Sync> {
+        self.current.boxed()
+    }
+
+    fn used_values(&self, shape: &Shape, settings: &Settings) -> Result<Vec<(Text, Value)>, Error> {
+        self.current.used_values(shape, settings)
+    }
+
+    fn run(&self, shape: &Shape, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
+        self.current.run(shape, settings, sink)
+    }
+
+    fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
+        self.current.session(settings)
+    }
+}
