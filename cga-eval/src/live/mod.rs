@@ -3,6 +3,7 @@
 mod watcher;
 
 use std::fmt;
+use std::path::Path;
 
 use cga_runtime::fault::Error;
 use cga_runtime::grammar::attribute::Attribute;
@@ -83,14 +84,34 @@ impl fmt::Display for LiveError {
 impl std::error::Error for LiveError {}
 
 impl Live {
-    /// Follows the rule file of a compiled grammar, `cga! { grammar Tower in "rules/tower.cga"; }`.
+    /// Follows the rule file of a compiled grammar, `cga! { grammar Tower in "rules/tower.cga"; }`, in the folder of its package.
     ///
     /// # Errors
     /// The grammar has no rule file, or the system cannot watch it.
     pub fn new(grammar: impl Grammar + Send + Sync + 'static) -> Result<Self, LiveError> {
-        let none = || LiveError::NoRuleFile { grammar: grammar.name().to_owned() };
-        let source = grammar.rule_source().ok_or_else(none)?;
-        let mut loader = RuleLoader::new().named(source.name).root(source.folder);
+        let source = source(&grammar)?;
+        Live::from_source(grammar, source, Path::new(source.folder))
+    }
+
+    /// Follows a copy of the rule file in another folder: the folder that stands for the package's, for programs that have their rules
+    /// beside them. The compiled rules run until a file changes there.
+    ///
+    /// # Errors
+    /// As [`new`](Live::new).
+    pub fn in_folder(
+        grammar: impl Grammar + Send + Sync + 'static,
+        folder: impl AsRef<Path>,
+    ) -> Result<Self, LiveError> {
+        let source = source(&grammar)?;
+        Live::from_source(grammar, source, folder.as_ref())
+    }
+
+    fn from_source(
+        grammar: impl Grammar + Send + Sync + 'static,
+        source: RuleSource,
+        folder: &Path,
+    ) -> Result<Self, LiveError> {
+        let mut loader = RuleLoader::new().named(source.name).root(folder);
         for &(code, level) in source.levels {
             loader = match level {
                 "deny" => loader.deny(code),
@@ -98,7 +119,7 @@ impl Live {
                 _ => loader.allow(code),
             };
         }
-        let watcher = Watcher::new(&source).map_err(LiveError::Watch)?;
+        let watcher = Watcher::new(folder, source.path).map_err(LiveError::Watch)?;
         Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None })
     }
 
@@ -155,6 +176,11 @@ impl Live {
         self.current = Box::new(rules);
         self.error = None;
     }
+}
+
+/// The rule file of a compiled grammar.
+fn source(grammar: &dyn Grammar) -> Result<RuleSource, LiveError> {
+    grammar.rule_source().ok_or_else(|| LiveError::NoRuleFile { grammar: grammar.name().to_owned() })
 }
 
 impl Grammar for Live {

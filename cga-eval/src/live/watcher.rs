@@ -5,7 +5,6 @@ use std::sync::mpsc::{Receiver, channel};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
-use cga_runtime::grammar::RuleSource;
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher as _};
 
 /// The time in which further changes join the first one: editors write a file in several steps.
@@ -24,11 +23,12 @@ impl Watcher {
     ///
     /// # Errors
     /// The system cannot watch them.
-    pub(super) fn new(source: &RuleSource) -> Result<Self, String> {
+    pub(super) fn new(top: &Path, file: &str) -> Result<Self, String> {
         let (send, changes) = channel();
         let mut system = notify::recommended_watcher(send).map_err(|why| why.to_string())?;
-        let top = Path::new(source.folder);
-        let file = top.join(source.path);
+        // Events have paths without links.
+        let top = &top.canonicalize().map_err(|why| format!("{}: {why}", top.display()))?;
+        let file = top.join(file);
         let folders = file.ancestors().skip(1).take_while(|folder| folder.starts_with(top));
         for (above, folder) in folders.enumerate() {
             // The folders below the package's own have builds in them.
