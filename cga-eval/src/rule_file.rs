@@ -43,6 +43,7 @@ pub struct RuleFile {
 pub(crate) struct Loaded {
     pub(crate) program: Arc<Program>,
     pub(crate) tables: RuleTables,
+    pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
 }
@@ -111,7 +112,7 @@ impl Grammar for RuleFile {
     }
 
     fn attributes(&self) -> &[Attribute] {
-        &self.loaded.tables.attributes
+        &self.loaded.attributes
     }
 
     fn start_rules(&self) -> &[StartRule] {
@@ -124,7 +125,7 @@ impl Grammar for RuleFile {
 
     fn attribute_set(&mut self, index: usize, value: Value) {
         let has_type = |attribute: &Attribute| attribute.ty == value.ty();
-        if self.loaded.tables.attributes.get(index).is_some_and(has_type) {
+        if self.loaded.attributes.get(index).is_some_and(has_type) {
             self.set_value(index, Some(value));
         }
     }

@@ -17,7 +17,7 @@ use crate::compile::{Registered, program};
 use crate::error::RuleFileError;
 use crate::rule_file::{Loaded, RuleFile};
 use crate::sources::Sources;
-use crate::tables::tables;
+use crate::tables::{attributes, tables};
 
 /// Loads rules with files in memory and functions of the program.
 ///
@@ -156,11 +156,13 @@ impl RuleLoader {
         let program = program(grammar, &plan, &self.registered)
             .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
+        let attributes = attributes(grammar, &defaults);
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
         Ok(RuleFile {
             values: defaults.as_slice().into(),
             loaded: Arc::new(Loaded {
-                tables: tables(grammar, &plan, name, &defaults),
+                tables: tables(grammar, &plan, name, &attributes),
+                attributes,
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
                 warnings: shown(&warnings),

@@ -1,5 +1,7 @@
 //! The data of a grammar that all its runs share: names, start rules, and the table of attributes.
 
+use std::collections::HashSet;
+
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Start};
 use cga_runtime::grammar::attribute::{self, Attribute, AttributeKind};
@@ -9,13 +11,13 @@ use cga_runtime::run::start_rule::StartRule;
 
 use crate::object::nothing;
 
-/// The tables of a grammar with a name. `defaults` has the constant default of each attribute.
-pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, defaults: &[Option<Value>]) -> RuleTables {
-    let texts = |names: &[String]| names.iter().map(|name| Text::from(name.as_str())).collect();
+/// The attributes that the host program may set: one for each name, whatever the style. `defaults` has the constant default of each.
+pub(crate) fn attributes(grammar: &Grammar, defaults: &[Option<Value>]) -> Vec<Attribute> {
     let mut attributes: Vec<Attribute> = Vec::new();
+    let mut names = HashSet::new();
     for global in grammar.globals.iter().filter(|global| global.public) {
         let Some(info) = &global.attr else { continue };
-        if attributes.iter().any(|attribute| attribute.name.is(&global.name)) {
+        if !names.insert(&global.name) {
             continue;
         }
         let row = match defaults.get(attributes.len()).cloned().flatten() {
@@ -24,6 +26,12 @@ pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, defaults
         };
         attributes.push(annotated(row, info, grammar));
     }
+    attributes
+}
+
+/// The tables of a grammar with a name.
+pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, attributes: &[Attribute]) -> RuleTables {
+    let texts = |names: &[String]| names.iter().map(|name| Text::from(name.as_str())).collect();
     let queries = plan.start_queries();
     let entry = |(start, queries): (&Start, &cga_lang::ir::facts::Queries)| StartEntry {
         rule: start.rule.0,
@@ -37,7 +45,7 @@ pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, defaults
         tags: plan.has_tags(),
         starts: grammar.starts.iter().map(start_rule).collect(),
         entries: grammar.starts.iter().zip(&queries).map(entry).collect(),
-        attributes,
+        attributes: attributes.iter().map(|attribute| attribute.name.clone()).collect(),
     }
 }
 

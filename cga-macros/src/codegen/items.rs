@@ -118,6 +118,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let (reset_arms, used) = (fields::reset_arms(&fields), fields.iter().map(|field| used_value(cx, field)));
     let captured = (0..cx.grammar.hosts.len()).filter(|_| cx.captured).map(captured);
     let captured = captured.map(|name| code!(g.#name = ::core::clone::Clone::clone(&self.#name);));
+    let attribute_names = fields.iter().map(|field| &field.global.name);
     let table = fields.iter().map(|field| attribute_table::attribute(field, cx.grammar));
     let about = &cx.grammar.about;
     let about = (!about.is_empty()).then(|| {
@@ -144,7 +145,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                     tags: #has_tags,
                     starts: cga_rt::list([#(#start_rows),*]),
                     entries: cga_rt::entries(&[#(#entries),*]),
-                    attributes: cga_rt::list([#(#table),*]),
+                    attributes: cga_rt::texts(&[#(#attribute_names),*]),
                 });
                 &TABLES
             }
@@ -206,7 +207,9 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             #about
 
             fn attributes(&self) -> &[cga_rt::Attribute] {
-                &cga_rt::Rules::tables(self).attributes
+                static ATTRIBUTES: cga_rt::LazyLock<cga_rt::Vec<cga_rt::Attribute>> =
+                    cga_rt::LazyLock::new(|| cga_rt::list([#(#table),*]));
+                &ATTRIBUTES
             }
 
             fn attribute_get(&self, index: ::core::primitive::usize) -> ::core::option::Option<cga_rt::Value> {

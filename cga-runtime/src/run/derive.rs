@@ -140,7 +140,7 @@ pub(crate) fn run<R: Rules>(
         // After an error some values may be placeholders.
         if outcome.error.is_none() {
             R::used(&values, style, &mut |value| {
-                let name = attributes.next().map_or_else(Text::default, |attribute| attribute.name.clone());
+                let name = attributes.next().cloned().unwrap_or_default();
                 building.attributes.extend(value.map(|value| (name, value)));
             });
         }

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::fault::Error;
-use crate::grammar::attribute::Attribute;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
@@ -27,8 +26,8 @@ pub struct RuleTables {
     pub starts: Vec<StartRule>,
     /// The entries of the start rules, in their order.
     pub entries: Vec<StartEntry>,
-    /// The attributes, in source order.
-    pub attributes: Vec<Attribute>,
+    /// The names of the attributes, in source order.
+    pub attributes: Vec<Text>,
 }
 
 /// The entry of a start rule.

@@ -47,11 +47,7 @@ impl cga_rt::Rules for CgaGrammar {
             tags: false,
             starts: cga_rt::list([cga_rt::StartRule::new("Lot")]),
             entries: cga_rt::entries(&[(0, 0, 0)]),
-            attributes: cga_rt::list([
-                cga_rt::Attribute::new("mode", cga_rt::Value::Float(1f64)),
-                cga_rt::Attribute::computed("a", cga_rt::ValueType::Float),
-                cga_rt::Attribute::computed("b", cga_rt::ValueType::Float),
-            ]),
+            attributes: cga_rt::texts(&["mode", "a", "b"]),
         });
         &TABLES
     }

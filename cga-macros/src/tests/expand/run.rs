@@ -10,15 +10,7 @@ impl cga_rt::Rules for Tower {
             tags: false,
             starts: cga_rt::list([cga_rt::StartRule::new("Lot")]),
             entries: cga_rt::entries(&[(0, 0, 0)]),
-            attributes: cga_rt::list([
-                cga_rt::Attribute::new("share", cga_rt::Value::Float(0.5f64))
-                    .range(cga_rt::Range::new(0f64, 1f64, 0f64, true)),
-                cga_rt::Attribute::new(
-                    "name",
-                    cga_rt::Value::Text(cga_rt::Text::fixed("x")),
-                ),
-                cga_rt::Attribute::computed("drawn", cga_rt::ValueType::Float),
-            ]),
+            attributes: cga_rt::texts(&["share", "name", "drawn"]),
         });
         &TABLES
     }

@@ -15,13 +15,7 @@ impl cga_rt::Rules for Tower {
                 cga_rt::StartRule::new("Tall$Roof"),
             ]),
             entries: cga_rt::entries(&[(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]),
-            attributes: cga_rt::list([
-                cga_rt::Attribute::computed("h", cga_rt::ValueType::Float),
-                cga_rt::Attribute::new(
-                    "label",
-                    cga_rt::Value::Text(cga_rt::Text::fixed("a")),
-                ),
-            ]),
+            attributes: cga_rt::texts(&["h", "label"]),
         });
         &TABLES
     }

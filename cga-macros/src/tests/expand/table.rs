@@ -4,7 +4,41 @@ impl cga_rt::Grammar for Tower {
         "Tower"
     }
     fn attributes(&self) -> &[cga_rt::Attribute] {
-        &cga_rt::Rules::tables(self).attributes
+        static ATTRIBUTES: cga_rt::LazyLock<cga_rt::Vec<cga_rt::Attribute>> = cga_rt::LazyLock::new(||
+        cga_rt::list([
+            cga_rt::Attribute::new("share", cga_rt::Value::Float(0.5f64))
+                .range(cga_rt::Range::new(0f64, 1f64, 0f64, false))
+                .group(["Size", "Main"])
+                .about("How much.")
+                .order(3f64),
+            cga_rt::Attribute::computed("drawn", cga_rt::ValueType::Float)
+                .group(["Size", "Main"])
+                .hidden(),
+            cga_rt::Attribute::new(
+                    "wall",
+                    cga_rt::Value::Text(cga_rt::Text::fixed("brick")),
+                )
+                .display_name("Outer wall")
+                .choices(
+                    cga_rt::Choices::new(
+                        cga_rt::ChoiceValues::Texts(cga_rt::texts(&["brick", "glass"])),
+                        true,
+                    ),
+                )
+                .group(["Look"])
+                .group_order(2f64),
+            cga_rt::Attribute::computed("image", cga_rt::ValueType::Text)
+                .choices(
+                    cga_rt::Choices::new(
+                        cga_rt::ChoiceValues::Attribute(cga_rt::Text::fixed("wall")),
+                        false,
+                    ),
+                )
+                .kind(cga_rt::AttributeKind::File(cga_rt::texts(&["png", "jpg"])))
+                .group(["Look"])
+                .group_order(2f64),
+        ]));
+        &ATTRIBUTES
     }
     fn attribute_get(
         &self,

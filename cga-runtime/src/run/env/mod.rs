@@ -153,7 +153,7 @@ impl Env {
     /// The state of a run, with names that are literals.
     #[cfg(test)]
     pub(crate) fn with_names(settings: &Settings, names: &[&'static str], shape: &Shape, start: &'static str) -> Self {
-        Env::new(settings, crate::run::rules::names(names), shape, Text::fixed(start))
+        Env::new(settings, names.iter().copied().map(Text::fixed).collect(), shape, Text::fixed(start))
     }
 
     /// The state of a run from a box of 1 m.
