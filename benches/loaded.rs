@@ -78,7 +78,7 @@ fn subjects() -> Vec<Subject> {
         |name, text: &str, compiled: Box<dyn Grammar>, shapes| Subject { name, text: text.into(), compiled, shapes };
     let inline = |source: &str, name| inline::named(source, name).rules;
     vec![
-        row("README's house", &inline(here, "House"), Box::new(House::default()), lots()),
+        row("README's house", &inline(here, "House"), Box::<House>::default(), lots()),
         row(
             "tower",
             &inline(&format!("cga! {{\n{}\n}}", tower.rules), "Tower"),
@@ -88,16 +88,11 @@ fn subjects() -> Vec<Subject> {
         row(
             "district's house",
             &inline(include_str!("../examples/district.rs"), "House"),
-            Box::new(district::House::default()),
+            Box::<district::House>::default(),
             lots(),
         ),
-        row(
-            "A(40 x 40 m)",
-            &inline(here, "Facades"),
-            Box::new(Facades::default()),
-            vec![Shape::cuboid(40.0, 40.0, 40.0)],
-        ),
-        row("D(3)", &inline(here, "Menger"), Box::new(Menger::default()), vec![Shape::cuboid(27.0, 27.0, 27.0)]),
+        row("A(40 x 40 m)", &inline(here, "Facades"), Box::<Facades>::default(), vec![Shape::cuboid(40.0, 40.0, 40.0)]),
+        row("D(3)", &inline(here, "Menger"), Box::<Menger>::default(), vec![Shape::cuboid(27.0, 27.0, 27.0)]),
     ]
 }
 

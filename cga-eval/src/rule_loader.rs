@@ -156,8 +156,8 @@ impl RuleLoader {
         let program = program(grammar, &plan, &self.registered)
             .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
-        let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
         let attributes = attributes(grammar, &defaults);
+        let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
         Ok(RuleFile {
             values: defaults.as_slice().into(),
             loaded: Arc::new(Loaded {

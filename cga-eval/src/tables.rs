@@ -1,4 +1,6 @@
-//! The data of a grammar that all its runs share: names and start rules, and the table of attributes.
+//! The data of a grammar that all its runs share: names, start rules, and the table of attributes.
+
+use std::collections::HashSet;
 
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{AttrInfo, ChoiceValues, Choices, Grammar, Presentation, Start};
@@ -9,12 +11,13 @@ use cga_runtime::run::start_rule::StartRule;
 
 use crate::object::nothing;
 
-/// The table of attributes. `defaults` has the constant default of each.
+/// The attributes that the host program may set: one for each name, whatever the style. `defaults` has the constant default of each.
 pub(crate) fn attributes(grammar: &Grammar, defaults: &[Option<Value>]) -> Vec<Attribute> {
     let mut attributes: Vec<Attribute> = Vec::new();
+    let mut names = HashSet::new();
     for global in grammar.globals.iter().filter(|global| global.public) {
         let Some(info) = &global.attr else { continue };
-        if attributes.iter().any(|attribute| attribute.name.is(&global.name)) {
+        if !names.insert(&global.name) {
             continue;
         }
         let row = match defaults.get(attributes.len()).cloned().flatten() {
@@ -26,7 +29,7 @@ pub(crate) fn attributes(grammar: &Grammar, defaults: &[Option<Value>]) -> Vec<A
     attributes
 }
 
-/// The tables of a grammar with a name and attributes.
+/// The tables of a grammar with a name.
 pub(crate) fn tables(grammar: &Grammar, plan: &RunPlan<'_>, name: &str, attributes: &[Attribute]) -> RuleTables {
     let texts = |names: &[String]| names.iter().map(|name| Text::from(name.as_str())).collect();
     let queries = plan.start_queries();

@@ -60,11 +60,11 @@ fn public_types_have_the_common_traits() {
     each!(data: Centerline, Network, NetworkOptions, NetworkPart, Item, Piece, Prefix, Size);
     each!(choice: Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);
     each!(choice: MaterialNumber, MaterialText, PartId, Side, UvAxis, ValueType, WrongLots);
-    each!(error: AssetError, AttributeError, Error, Fault, GltfError, MeshError, ObjError, RuleFileError, RunError, StreetError);
+    each!(error: AssetError, AttributeError, Error, Fault, GltfError, LiveError, MeshError, ObjError, RuleFileError, RunError, StreetError);
     // The error of a writer can be neither copied nor compared.
     each!(state: WriteError);
     // They share assets or a watch, or refer to a mesh, a model or a tree.
-    each!(state: Assets, Grammars, RuleFile, RuleLoader, Scene<'static>, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
+    each!(state: Assets, Grammars, Live, RuleFile, RuleLoader, Scene<'static>, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution);
     // They belong to the thread of a run.

@@ -16,7 +16,7 @@ mod random;
 use random::Random;
 
 /// The number of texts that are played always.
-const TEXTS: usize = 1000;
+const TEXTS: usize = 3000;
 
 /// Numbers that rules rarely expect.
 const NUMBERS: [&str; 12] = ["0", "1", "-1", "0.5", "3", "1e9", "1e300", "-0.001", "1e-9", "255", "10000000", "(0/0)"];

@@ -45,8 +45,8 @@ fn shared(rules: &str) -> String {
     }
     let source = std::fs::read_to_string(root().join("tests/pages/tags.rs")).expect("the page");
     let list = inline::grammars(&source).into_iter().map(|grammar| grammar.rules);
-    let rules = list.filter_map(|rules| Some(rules[rules.find("Visualize -->")?..].to_owned()));
-    rules.last().expect("the shared rules")
+    let mut rules = list.filter_map(|rules| Some(rules[rules.find("Visualize -->")?..].to_owned()));
+    rules.next_back().expect("the shared rules")
 }
 
 #[test]

@@ -23,6 +23,8 @@ use crate::stack::Stack;
 pub(super) struct Compiler<'g> {
     pub(super) grammar: &'g Grammar,
     pub(super) plan: &'g RunPlan<'g>,
+    /// True if blocks tell when they are entered and left.
+    pub(super) tells_parts: bool,
     pub(super) slots: Vec<Slot>,
     pub(super) registered: &'g Registered,
     pub(super) problems: Problems,

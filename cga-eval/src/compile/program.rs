@@ -24,6 +24,7 @@ pub(crate) fn program(grammar: &Grammar, plan: &RunPlan<'_>, registered: &Regist
     let compiler = Compiler {
         grammar,
         plan,
+        tells_parts: plan.tells_parts(),
         slots,
         registered,
         problems: Problems::default(),

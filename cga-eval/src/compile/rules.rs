@@ -31,7 +31,7 @@ impl Compiler<'_> {
             locals: self.code(&rule.locals, locals),
             has_values: !rule.params.is_empty(),
             is_block: rule.block,
-            tells_part: self.plan.tells_parts(),
+            tells_part: self.tells_parts,
             trail: Sites::new(self.plan.trails.of(id)),
             label: Sites::new(self.plan.leaves.implicit(rule)),
         }

@@ -98,7 +98,6 @@ pub(crate) fn without_unused(body: &str) -> String {
         }
     }
     body = body.replace("use crate::current::{view};", "use crate::current::view;");
-    body = body.replace("use crate::current::{candidate, view};", "use crate::current::{candidate, view};");
     if !body.contains("view!") && !body.contains("whole!") && !body.contains("candidate!") {
         body = body.lines().filter(|line| !line.contains("use crate::current::")).collect::<Vec<_>>().join("\n");
     }
