@@ -213,7 +213,7 @@ pub trait DynSession {
     #[doc(hidden)]
     fn outcome(&mut self, shape: &Shape, _neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
         match self.run(shape, sink) {
-            Ok(report) => RunOutcome { report, error: None },
+            Ok(report) => report.into(),
             Err(error) => RunOutcome::failed(error),
         }
     }
@@ -230,7 +230,7 @@ pub trait DynSession {
     fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
         let mut leaves = LeafGhost::new(collect);
         match self.outcome(shape, None, &mut leaves) {
-            RunOutcome { report, error: None } if !report.stopped => Ok(leaves.finish()),
+            RunOutcome { report, error: None, .. } if !report.stopped => Ok(leaves.finish()),
             RunOutcome { error, .. } => Err(error.map_or(NoResult::Stopped, NoResult::Failed)),
         }
     }

@@ -114,7 +114,8 @@ impl<'s> Scene<'s> {
     /// Runs all initial shapes, in parallel with the feature `rayon`, and collects a model of each.
     ///
     /// # Errors
-    /// The first error in the order of the initial shapes, or an error that does not depend on one.
+    /// The first error in the order of the initial shapes, or an error that does not depend on one. If the derivation of a neighbour fails,
+    /// the error has the index of this neighbour.
     pub fn generate(&self, settings: &Settings) -> Result<Batches<Model>, RunError> {
         self.with_runs(settings, |runs| generate_by(runs, settings))
     }
@@ -165,7 +166,7 @@ impl<'s> Scene<'s> {
                 }
                 report.merge(outcome.report.clone(), &settings.limits);
                 match outcome.error {
-                    Some(error) => failed = Some(RunError { shape: Some(at), error }),
+                    Some(error) => failed = Some(RunError { shape: Some(outcome.failed_neighbour.unwrap_or(at)), error }),
                     None => {
                         let model = model.with_report(outcome.report).with_assets(settings.assets.clone());
                         is_over.store(take(at, model).is_break(), Ordering::Relaxed);
@@ -181,8 +182,9 @@ impl<'s> Scene<'s> {
     /// derived.
     ///
     /// # Errors
-    /// [`Error::Shape`] for an index out of range, and the errors of a run.
-    pub fn generate_lot(&self, index: usize, settings: &Settings) -> Result<Model, Error> {
+    /// [`Error::Shape`] for an index out of range, and the errors of a run, with the index of the initial shape whose derivation failed: this
+    /// one, or a neighbour.
+    pub fn generate_lot(&self, index: usize, settings: &Settings) -> Result<Model, RunError> {
         let mut model = Model::new();
         let report = self.run_lot(index, settings, &mut model)?;
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
@@ -192,20 +194,21 @@ impl<'s> Scene<'s> {
     ///
     /// # Errors
     /// As [`generate_lot`](Scene::generate_lot).
-    pub fn run_lot(&self, index: usize, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
+    pub fn run_lot(&self, index: usize, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, RunError> {
         if self.lots.len() <= index {
-            return Err(Error::Shape(format!("the scene has no initial shape {index}")));
+            return Err(Error::Shape(format!("the scene has no initial shape {index}")).into());
         }
         let mut session = self.open(&Settings { echo: false, ..settings.clone() })?;
         let run = SceneRun::new(self.lots, self.distances, &mut session);
         if run.asks_about_all(index) {
             run.index_labels(&|settings| self.open(settings), settings)?;
         }
-        let RunOutcome { report, error } = run.outcome(&mut session, index, sink);
+        let RunOutcome { report, error, failed_neighbour } = run.outcome(&mut session, index, sink);
         if settings.echo {
             derive::echo(report.prints());
         }
-        error.map_or(Ok(report), Err)
+        let shape = Some(failed_neighbour.unwrap_or(index));
+        error.map_or(Ok(report), |error| Err(RunError { shape, error }))
     }
 
     /// The indices of the initial shapes whose models may change if the one with an index changes: itself, and those whose rules ask about

@@ -36,9 +36,9 @@ impl Env {
         if let Some(keys) = self.keys() {
             keys.enter(level);
         }
-        let rule = self.trail.last().map_or("", |&rule| self.label(self.rule_name(rule)));
-        if let Some(tree) = &mut self.tree {
-            tree.enter(self.trail.len(), rule, shape.scope());
+        if self.tree.is_some() {
+            let rule = self.trail.last().map_or("", |&rule| self.label(self.rule_name(rule)));
+            self.tree.iter_mut().for_each(|tree| tree.enter(level, rule, shape.scope()));
         }
         Flow::Continue(())
     }
@@ -61,7 +61,9 @@ impl Env {
     pub(crate) fn record_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> RecordedShape {
         let (name, level) = (self.leaf_name(rule), self.trail.len());
         let in_tree = self.tree.as_mut().map(|tree| tree.symbol(level, name, shape.scope()));
-        RecordedShape { in_tree, node: self.keys().map_or_else(TreeNode::default, |keys| keys.symbol(level)) }
+        let is_collected = self.collects_occluders();
+        let node = self.keys().map(|keys| if is_collected { keys.symbol(level) } else { keys.count_symbol(level) });
+        RecordedShape { in_tree, node: node.unwrap_or_default() }
     }
 
     /// Records that a shape was a leaf.

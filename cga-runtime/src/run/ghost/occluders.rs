@@ -3,8 +3,9 @@
 use std::sync::OnceLock;
 
 use super::body;
+use crate::geometry::mesh::Bounds;
 use crate::geometry::relation::{Occluders, QueryGeometry, Relation};
-use crate::run::tree_keys::{TreeKeys, TreeNode};
+use crate::run::tree_keys::{Place, TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;
 
@@ -52,6 +53,11 @@ impl GhostOccluders {
         self.list.iter_mut().for_each(|occluder| occluder.node = TreeNode::default());
     }
 
+    /// Returns true if a box meets the box of a shape that counts, as in [`relation`](GhostOccluders::relation).
+    pub(crate) fn may_meet(&self, bounds: &Bounds, label: Option<&str>, place: Option<Place<'_>>) -> bool {
+        !self.list.is_empty() && self.solids().meets(bounds, &mut |number| self.counts(number, label, place))
+    }
+
     /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `place` is the place of the query in
     /// its own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
     pub(crate) fn relation(
@@ -59,16 +65,23 @@ impl GhostOccluders {
         query: &QueryGeometry<'_>,
         wanted: Relation,
         label: Option<&str>,
-        place: Option<&[u32]>,
+        place: Option<Place<'_>>,
     ) -> Relation {
         if self.list.is_empty() {
             return Relation::NONE;
         }
+        self.solids().query(query, wanted, &mut |number| self.counts(number, label, place))
+    }
+
+    fn solids(&self) -> &Occluders {
         let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
-        self.solids.get_or_init(occluders).query(query, wanted, &mut |number| {
-            let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
-            label.is_none_or(|label| own.as_deref() == Some(label))
-                && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
-        })
+        self.solids.get_or_init(occluders)
+    }
+
+    /// Returns true if a shape counts for a query with a label and a place.
+    fn counts(&self, number: u32, label: Option<&str>, place: Option<Place<'_>>) -> bool {
+        let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
+        label.is_none_or(|label| own.as_deref() == Some(label))
+            && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
     }
 }
