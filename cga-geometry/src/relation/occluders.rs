@@ -143,33 +143,6 @@ impl Occluders {
         self.count == 0
     }
 
-    /// Returns true if a box meets the box of an occluder that `accept` accepts, up to the tolerance. If it does not, no geometry in the box has
-    /// a relation to one.
-    ///
-    /// ```
-    /// use cga_geometry::glam::{DAffine3, DVec3};
-    /// use cga_geometry::mesh::Bounds;
-    /// use cga_geometry::relation::{Occluder, Occluders};
-    ///
-    /// let occluders = Occluders::new([Occluder::cuboid(DAffine3::IDENTITY)]);
-    /// let far = Bounds { low: DVec3::splat(2.0), high: DVec3::splat(3.0) };
-    /// assert!(!occluders.meets(&far, &mut |_| true) && occluders.meets(&Bounds { low: DVec3::ZERO, ..far }, &mut |_| true));
-    /// ```
-    pub fn meets(&self, bounds: &Bounds, accept: &mut dyn FnMut(u32) -> bool) -> bool {
-        let far = bounds.low.abs().max(bounds.high.abs()).max_element();
-        let margin = largest_tolerance(self.far.max(far));
-        let wide = Bounds { low: bounds.low - margin, high: bounds.high + margin };
-        let mut found = false;
-        self.tree.visit(
-            |bounds| overlap(bounds, &wide),
-            |solid| {
-                found = overlap(&self.bounds[solid as usize], &wide) && accept(self.solids[solid as usize].number);
-                !found
-            },
-        );
-        found
-    }
-
     /// The answers for a geometry: each one of the `wanted` answers that holds for at least one occluder. Other answers are false.
     ///
     /// `accept` gets the number of each occluder whose box meets the box of the geometry, in no particular order, and returns false for

@@ -98,11 +98,6 @@ impl Surroundings {
         let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
         let own = self.own(target).map(|ghost| (ghost, place));
         let ghosts = || own.into_iter().chain(neighbours.iter().map(|ghost| (&**ghost, None)));
-        // Most shapes are near no other solid.
-        let bounds = shape.bounds();
-        if !ghosts().any(|(ghost, place)| ghost.occluders().may_meet(&bounds, label, place)) {
-            return Relation::NONE;
-        }
         ghost::body::relation(shape, &mut |query| {
             let answers = ghosts().map(|(ghost, place)| ghost.occluders().relation(query, wanted, label, place));
             answers.fold(Relation::NONE, Relation::or)

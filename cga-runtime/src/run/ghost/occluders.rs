@@ -3,7 +3,6 @@
 use std::sync::OnceLock;
 
 use super::body;
-use crate::geometry::mesh::Bounds;
 use crate::geometry::relation::{Occluders, QueryGeometry, Relation};
 use crate::run::tree_keys::{Place, TreeKeys, TreeNode};
 use crate::shape::body::Body;
@@ -53,11 +52,6 @@ impl GhostOccluders {
         self.list.iter_mut().for_each(|occluder| occluder.node = TreeNode::default());
     }
 
-    /// Returns true if a box meets the box of a shape that counts, as in [`relation`](GhostOccluders::relation).
-    pub(crate) fn may_meet(&self, bounds: &Bounds, label: Option<&str>, place: Option<Place<'_>>) -> bool {
-        !self.list.is_empty() && self.solids().meets(bounds, &mut |number| self.counts(number, label, place))
-    }
-
     /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `place` is the place of the query in
     /// its own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
     pub(crate) fn relation(
@@ -70,12 +64,9 @@ impl GhostOccluders {
         if self.list.is_empty() {
             return Relation::NONE;
         }
-        self.solids().query(query, wanted, &mut |number| self.counts(number, label, place))
-    }
-
-    fn solids(&self) -> &Occluders {
         let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
-        self.solids.get_or_init(occluders)
+        let solids = self.solids.get_or_init(occluders);
+        solids.query(query, wanted, &mut |number| self.counts(number, label, place))
     }
 
     /// Returns true if a shape counts for a query with a label and a place.
