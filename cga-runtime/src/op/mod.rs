@@ -12,6 +12,7 @@ mod scope;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
+mod set_by_name;
 pub mod slim;
 mod tagging;
 
@@ -39,6 +40,7 @@ pub use create::roof::{
 pub use create::scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use create::taper::taper;
 pub use create::trim::trim;
+pub use set_by_name::set_by_name;
 pub use face::delete_holes::delete_holes;
 pub use face::inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
 pub use face::offset::{offset, offset_selected};
