@@ -57,7 +57,18 @@ fn leaves_divided_and_labelled_solids_occlude() {
 #[test]
 fn other_shapes_do_not_occlude() {
     // Facts 2, 4, 5, 8, 9, 10, 12.
-    for kind in ["", "comp of a lot", "offset", "split", "setback", "label of a lot", "nil", "modify", "inline", "gable with eaves"] {
+    for kind in [
+        "",
+        "comp of a lot",
+        "offset",
+        "split",
+        "setback",
+        "label of a lot",
+        "nil",
+        "modify",
+        "inline",
+        "gable with eaves",
+    ] {
         assert!(!finds(kind, ""), "{kind}");
     }
 }
@@ -135,9 +146,8 @@ fn surfaces_with_two_faces_at_each_edge_occlude_if_these_agree_on_a_side() {
         };
         for at in if is_double { 0..2 } else { 0..1 } {
             // The second cube has the edge at (1, 1, z) in common with the first one.
-            let corners: Vec<u32> = cube(0.0)
-                .map(|[x, y, z]| add(&mut builder, [x + f64::from(at), y + f64::from(at), z]))
-                .collect();
+            let corners: Vec<u32> =
+                cube(0.0).map(|[x, y, z]| add(&mut builder, [x + f64::from(at), y + f64::from(at), z])).collect();
             for (number, face) in faces.iter().enumerate() {
                 let mut face = face.map(|corner| corners[corner]);
                 if turned && number == 1 {
@@ -176,10 +186,8 @@ fn shapes_of_the_first_derivation_alone_are_not_seen_by_neighbours() {
             Up --> t(0, 5, 0) print(touches(inter)) X.
         "#;
     }
-    let lots = [
-        Shape::rectangle(10.0, 10.0).start("Lot"),
-        Shape::rectangle(10.0, 10.0).at([10.0, 0.0, 0.0]).start("Ask"),
-    ];
+    let lots =
+        [Shape::rectangle(10.0, 10.0).start("Lot"), Shape::rectangle(10.0, 10.0).at([10.0, 0.0, 0.0]).start("Ask")];
     let batches = Scene::new(&Gone::default(), &lots).generate(&Settings::default()).expect("models");
     let models: Vec<Model> = batches.into_iter().map(|batch| batch.sink).collect();
     assert_eq!(leaves(&models[0]), ["Base"]);

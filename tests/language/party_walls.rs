@@ -1,7 +1,7 @@
 //! Windows of houses that stand wall to wall, compared with a search of all pairs.
 //!
-//! `CGA_OUTLINES=outlines.geojson cargo test --release -p cga-tests --test language party_walls -- --nocapture` reads other outlines: polygons of
-//! a collection in longitude and latitude. It prints its figures.
+//! `CGA_OUTLINES=outlines.geojson cargo test -p cga-tests --test language given_outlines -- --nocapture` reads other outlines: polygons of a
+//! collection in longitude and latitude. It prints its figures.
 
 use cga::glam::{DVec2, DVec3};
 use cga::mesh::Bounds;
@@ -81,8 +81,7 @@ fn without_a_house_its_neighbours_alone_get_windows() {
         rest.remove(removed);
         let after = models(&rest);
         let after = |at: usize| &after[if at < removed { at } else { at - 1 }];
-        let changed: Vec<usize> =
-            (0..lots.len()).filter(|at| *at == removed || before[*at] != *after(*at)).collect();
+        let changed: Vec<usize> = (0..lots.len()).filter(|at| *at == removed || before[*at] != *after(*at)).collect();
         assert_eq!(affected, Ok(changed.clone()), "{removed}");
         assert!(1 < changed.len() && changed.len() <= 3);
         for at in changed.into_iter().filter(|at| *at != removed) {

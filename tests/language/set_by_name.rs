@@ -35,7 +35,8 @@ fn unknown_names_and_values_of_other_types_are_faults() {
     let model = Wrong::default().generate(&Shape::rectangle(2.0, 3.0)).expect("a model");
     let messages: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
     assert!(model.faults().iter().all(|fault| fault.kind == FaultKind::Value));
-    let unknown = |name: &str| format!("`{name}` is not an attribute of shapes that can be set; the shape stays as it is");
+    let unknown =
+        |name: &str| format!("`{name}` is not an attribute of shapes that can be set; the shape stays as it is");
     assert_eq!(
         messages,
         [

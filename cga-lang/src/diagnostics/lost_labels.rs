@@ -28,7 +28,8 @@ fn labels(list: &[Op], names: Entries, below: Option<&str>, diags: &mut Diags) {
                 if let (Some(operation), Some(Use::Operation(row)), Some(arg)) = (below, names.of(name), args.first())
                     && row.uses.has(Uses::LABELS)
                 {
-                    let diag = diags.report(Code::LostLabel, arg.span, format!("this label is lost below `{operation}`"));
+                    let diag =
+                        diags.report(Code::LostLabel, arg.span, format!("this label is lost below `{operation}`"));
                     diag.note("the shapes of operands are joined, so queries do not find their labelled copies");
                     diag.help(format!("write `label(…)` before or after `{operation} {{ … }}`"));
                 }

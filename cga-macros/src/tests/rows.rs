@@ -6,8 +6,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cga_lang::ops::{
-    Braces, COMPONENTS, Changes, Operation, Run, SET_BY_NAME, SelectorPlaces, all_functions, all_operations, all_shape_attrs,
-    operations, selectors, variant,
+    Braces, COMPONENTS, Changes, Operation, Run, SET_BY_NAME, SelectorPlaces, all_functions, all_operations,
+    all_shape_attrs, operations, selectors, variant,
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;

@@ -40,7 +40,6 @@ pub use create::roof::{
 pub use create::scatter::{Distribution, ScatterDomain, ScatterMean, scatter, scatter_around};
 pub use create::taper::taper;
 pub use create::trim::trim;
-pub use set_by_name::set_by_name;
 pub use face::delete_holes::delete_holes;
 pub use face::inner_rectangle::{RectangleAlignment, inner_rect, inner_rectangle};
 pub use face::offset::{offset, offset_selected};
@@ -77,6 +76,7 @@ pub use scope::align_geometry::{
 pub use scope::coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use scope::pivot::{AxisMap, mirror_scope, set_pivot};
 pub use scope::transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
+pub use set_by_name::set_by_name;
 pub use tagging::delete_tags::{delete_tags, delete_tags_of};
 pub use tagging::edge_attr_tags::set_tags_from_edge_attrs;
 pub use tagging::tag::{TagTarget, tag};

@@ -72,7 +72,8 @@ impl Settable {
 /// of another type. Names of attributes of a grammar are not known in a run. Images are named as in `setMaterial`.
 pub fn set_by_name(env: &mut Env, shape: &mut Shape, name: Text, value: impl Into<Value>) {
     let Some(settable) = Settable::named(&name) else {
-        let message = format!("`{}` is not an attribute of shapes that can be set; the shape stays as it is", shown(&name));
+        let message =
+            format!("`{}` is not an attribute of shapes that can be set; the shape stays as it is", shown(&name));
         return env.fault(FaultKind::Value, message);
     };
     let needs = match (settable, value.into()) {

@@ -188,7 +188,10 @@ impl Rectangle {
         let [a, b] = [0, 1].map(|side| other.axes[side] * other.half[side]);
         let apart = other.centre - self.centre;
         let corners = [apart + a + b, apart + a - b, apart - a + b, apart - a - b];
-        corners.into_iter().map(|corner| DVec2::new(to(0, corner), to(1, corner)).length()).fold(f64::INFINITY, f64::min)
+        corners
+            .into_iter()
+            .map(|corner| DVec2::new(to(0, corner), to(1, corner)).length())
+            .fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -289,9 +292,9 @@ mod tests {
         let to_other = corners[0].map(|corner| other.distance_to(corner));
         let to_own = corners[1].map(|corner| own.distance_to(corner));
         let segment = |solid: usize, edge: &[usize; 2]| edge.map(|corner| corners[solid][corner]);
-        let between = edges.iter().flat_map(|first| {
-            edges.iter().map(|second| segment_distance(segment(0, first), segment(1, second)))
-        });
+        let between = edges
+            .iter()
+            .flat_map(|first| edges.iter().map(|second| segment_distance(segment(0, first), segment(1, second))));
         between.chain(to_other).chain(to_own).fold(FAR, f64::min)
     }
 

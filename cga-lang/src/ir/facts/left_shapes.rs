@@ -45,14 +45,14 @@ fn of_step(kind: &StepKind) -> LeftShapes {
         StepKind::Do(row, _) => !row.scope.keeps_flat_faces(),
         StepKind::SetShape(attr, _) => !attr.set_scope.keeps_flat_faces(),
         StepKind::Block(block) => {
-            !block.row.scope.keeps_flat_faces() || matches!(block.parts, BlockParts::Operands(_)) || block.row.recomposes
+            !block.row.scope.keeps_flat_faces()
+                || matches!(block.parts, BlockParts::Operands(_))
+                || block.row.recomposes
         }
         StepKind::Later(..) | StepKind::Rust(..) => true,
-        StepKind::SetAttr(..)
-        | StepKind::Give(_)
-        | StepKind::Renew(_)
-        | StepKind::Push(_)
-        | StepKind::Case { .. } => false,
+        StepKind::SetAttr(..) | StepKind::Give(_) | StepKind::Renew(_) | StepKind::Push(_) | StepKind::Case { .. } => {
+            false
+        }
     };
     let labels = matches!(kind, StepKind::Do(row, _) if row.uses.has(Uses::LABELS));
     LeftShapes { labels, solids_of_faces }
@@ -86,7 +86,10 @@ mod tests {
     fn operations_that_make_geometry_and_labels_count_wherever_they_are() {
         for (text, expected) in [
             ("Lot --> extrude(3) X.", (false, true)),
-            ("Lot --> split(x) { ~1 : split(z) { ~1 : A } }*  A --> case scope.sx > 1 : B else : NIL  B --> [ i(\"builtin:cube\") X. ] Y.", (false, true)),
+            (
+                "Lot --> split(x) { ~1 : split(z) { ~1 : A } }*  A --> case scope.sx > 1 : B else : NIL  B --> [ i(\"builtin:cube\") X. ] Y.",
+                (false, true),
+            ),
             ("Lot --> union { A | B } X.", (false, true)),
             ("Lot --> A  A --> 50% : label(\"a\") X. else : X.", (true, false)),
             ("Lot --> comp(f) { all : roofHip(30) X. }", (false, true)),

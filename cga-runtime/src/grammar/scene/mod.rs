@@ -166,7 +166,9 @@ impl<'s> Scene<'s> {
                 }
                 report.merge(outcome.report.clone(), &settings.limits);
                 match outcome.error {
-                    Some(error) => failed = Some(RunError { shape: Some(outcome.failed_neighbour.unwrap_or(at)), error }),
+                    Some(error) => {
+                        failed = Some(RunError { shape: Some(outcome.failed_neighbour.unwrap_or(at)), error })
+                    }
                     None => {
                         let model = model.with_report(outcome.report).with_assets(settings.assets.clone());
                         is_over.store(take(at, model).is_break(), Ordering::Relaxed);
