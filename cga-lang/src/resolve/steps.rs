@@ -5,7 +5,6 @@ use std::cmp::Reverse;
 use super::arguments::{has_error, word};
 use super::arity::{counts, word_of_other_form, wrong_count, wrong_form};
 use super::globals::Namespace;
-use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use super::words::{fitting, is_word_of, reach, strange_words};

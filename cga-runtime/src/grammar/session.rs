@@ -4,8 +4,8 @@
 //! data that runs can share. The results of its runs equal the results of single runs. A session belongs to one thread; parallel runs have
 //! one session each, see [`parallel`](crate::grammar::parallel).
 //!
-//! If rules ask about shapes of the same initial shape, a run derives it twice, and Rust functions in rules are called in both derivations.
-//! The first one leaves no reports, prints and faults, and its error ends the run. Queries of other initial shapes give their defaults,
+//! If rules ask about shapes of the same initial shape, a run derives it twice. The first derivation leaves out rules whose shapes no query
+//! finds, as façades. It leaves no reports, prints and faults, its error ends the run, and Rust functions in its rules are called in both. Queries of other initial shapes give their defaults,
 //! unless the run is part of a [`Scene`](crate::grammar::scene::Scene).
 
 use std::borrow::Cow;

@@ -220,6 +220,9 @@ fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>
 #[cold]
 #[inline(never)]
 pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    if env.only_counts_symbol() {
+        return filled(env, sink, shape, rule);
+    }
     let recorded = env.record_symbol(shape, rule);
     recorded_leaf(env, sink, shape, rule, recorded)
 }

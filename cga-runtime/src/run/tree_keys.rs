@@ -112,9 +112,8 @@ impl TreeKeys {
     }
 
     /// Counts a leaf symbol of the rule at a level, whose place is not needed.
-    pub(crate) fn count_symbol(&mut self, level: usize) -> TreeNode {
+    pub(crate) fn count_symbol(&mut self, level: usize) {
         self.next_number(level, self.parent(level));
-        TreeNode::default()
     }
 
     /// Adds a leaf symbol of the rule at a level.

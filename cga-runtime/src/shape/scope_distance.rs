@@ -107,10 +107,10 @@ impl Centred {
         let mut least = to_other.into_iter().chain(to_own).fold(f64::INFINITY, f64::min);
         let apart = other.centre - self.centre;
         let (own, its) = (columns(&self.axes), columns(&other.axes));
-        for first in 0..3 {
-            for second in 0..3 {
+        for (first, own) in own.iter().enumerate() {
+            for (second, its) in its.iter().enumerate() {
                 // Points of two edges that are nearest are apart along the normal of both.
-                let normal = own[first].cross(its[second]).normalize_or_zero();
+                let normal = own.cross(*its).normalize_or_zero();
                 let normal = if normal.dot(apart) < 0.0 { -normal } else { normal };
                 for a in self.edges(first, normal) {
                     for b in other.edges(second, -normal) {

@@ -34,8 +34,9 @@ use crate::shape::Shape;
 ///
 /// While neighbours are derived for a query, their own queries of neighbours give the defaults: false, 0, and an infinite distance. So a model
 /// depends neither on the order of the initial shapes nor on threads, and another initial shape can change only the models in its
-/// neighbourhood. Each neighbour is derived once more for all queries of a scene. Its reports, prints and faults are dropped, and Rust functions
-/// in its rules are called again. If its derivation fails, so does the run that needs it.
+/// neighbourhood. Each neighbour is derived once more for all queries of a scene, without the rules whose shapes no query finds. Its
+/// reports, prints and faults are dropped, and Rust functions in its rules are called again. If its derivation fails, so does the run that needs
+/// it, with the index of the neighbour.
 ///
 /// Neighbours are dropped as soon as no later initial shape can ask about them, so initial shapes that are neighbours should be near each
 /// other in the list. Labelled shapes stay until the end where the distance is infinite. If rules ask for labels of all initial shapes and for
@@ -133,7 +134,7 @@ impl<'s> Scene<'s> {
     }
 
     /// Runs all initial shapes, in parallel with the feature `rayon`, and passes the model of each to `take`, in their order. A model is
-    /// dropped as soon as `take` has returned, so a scene need not fit into memory; models that are finished early wait for their turn.
+    /// dropped as soon as `take` has returned, so a scene need not fit into memory; at most 128 models that are finished early wait for their turn.
     /// `Break` ends the runs. Returns the merged report of the models that were passed on.
     ///
     /// # Errors

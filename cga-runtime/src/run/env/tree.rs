@@ -61,9 +61,17 @@ impl Env {
     pub(crate) fn record_symbol(&mut self, shape: &ShapeRef<'_>, rule: u32) -> RecordedShape {
         let (name, level) = (self.leaf_name(rule), self.trail.len());
         let in_tree = self.tree.as_mut().map(|tree| tree.symbol(level, name, shape.scope()));
-        let is_collected = self.collects_occluders();
-        let node = self.keys().map(|keys| if is_collected { keys.symbol(level) } else { keys.count_symbol(level) });
-        RecordedShape { in_tree, node: node.unwrap_or_default() }
+        RecordedShape { in_tree, node: self.keys().map_or_else(TreeNode::default, |keys| keys.symbol(level)) }
+    }
+
+    /// Counts a leaf symbol in a run that needs no more of leaves. Returns false if it does: it records its tree, or collects closed shapes.
+    pub(crate) fn only_counts_symbol(&mut self) -> bool {
+        if self.tree.is_some() || self.collects_occluders() {
+            return false;
+        }
+        let level = self.trail.len();
+        self.keys().into_iter().for_each(|keys| keys.count_symbol(level));
+        true
     }
 
     /// Records that a shape was a leaf.
