@@ -181,7 +181,7 @@ fn block(degrees: f64) -> Vec<Outline> {
 }
 
 #[test]
-fn tiles_of_made_up_blocks_are_those_of_a_search_of_all_pairs() {
+fn tiles_of_made_up_blocks_equal_a_search_of_all_pairs() {
     for degrees in [0.0, 12.5, 45.0, 77.0, 200.3] {
         let found = compare(&block(degrees));
         assert!(found.differences == 0 && 60 < found.walls && 200 < found.tiles, "{degrees}: {found:?}");
@@ -190,7 +190,7 @@ fn tiles_of_made_up_blocks_are_those_of_a_search_of_all_pairs() {
 }
 
 #[test]
-fn tiles_of_given_outlines_are_those_of_a_search_of_all_pairs() {
+fn tiles_of_given_outlines_equal_a_search_of_all_pairs() {
     let Some(path) = std::env::var_os("CGA_OUTLINES") else { return };
     let text = std::fs::read_to_string(path).expect("a file of outlines");
     let all: Value = serde_json::from_str(&text).expect("a collection of polygons");
