@@ -1,14 +1,12 @@
-//! The workers of [`in_order`](super::order::in_order) on the threads of rayon.
+//! The workers of `in_order` on the threads of rayon.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use rayon::Scope;
 
-use super::order::MOST_AHEAD;
-
-/// Does jobs until there is none that may begin. Calls the function after each job, with the number of jobs that have begun and are not taken.
+/// Does jobs until there is none that may begin. Calls the function after each job; its argument is true if several jobs may begin.
 /// The result is true if other jobs may begin later.
-type Work<'a, W> = &'a (dyn Fn(&mut W, &dyn Fn(usize)) -> bool + Sync);
+type Work<'a, W> = &'a (dyn Fn(&mut W, &dyn Fn(bool)) -> bool + Sync);
 
 /// Workers that begin, end early and begin again.
 pub(super) struct Crew<'a, W> {
@@ -44,8 +42,8 @@ impl<'a, W> Crew<'a, W> {
 
     fn work_as<'s>(&'s self, worker: &mut W, scope: &Scope<'s>) {
         // Workers begin when there are several jobs for them, as the state of a worker takes time.
-        let after_job = |ahead: usize| {
-            if ahead <= MOST_AHEAD / 2 {
+        let after_job = |has_jobs: bool| {
+            if has_jobs {
                 self.begin_idle(scope);
             }
         };

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// The most jobs that begin while the result of an earlier one is not taken yet. So memory does not grow if one job takes long.
-pub(super) const MOST_AHEAD: usize = 128;
+const MOST_AHEAD: usize = 128;
 
 /// The results that wait for their turn.
 struct Ready<T, F> {
@@ -55,7 +55,7 @@ pub(crate) fn in_order<W, T: Send>(
         }
     };
     // Does jobs until there is none that may begin. The result is true if there will be one.
-    let work = |worker: &mut W, after_taking: &dyn Fn(usize)| {
+    let work = |worker: &mut W, after_job: &dyn Fn(bool)| {
         loop {
             let number = match next() {
                 NextJob::Job(number) => number,
@@ -80,7 +80,7 @@ pub(crate) fn in_order<W, T: Send>(
                 }
             }
             let ahead = next_job.load(Ordering::Relaxed).saturating_sub(taken.load(Ordering::Relaxed));
-            after_taking(ahead);
+            after_job(ahead <= MOST_AHEAD / 2);
         }
     };
     #[cfg(feature = "rayon")]
