@@ -6,11 +6,12 @@
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use cga::sink::picture::Picture;
-use cga::{Model, Scene, Settings, Shape, Sink, cga};
+use cga::{Model, RunError, Scene, Settings, Shape, cga};
 use serde_json::Value;
 
 cga! {
@@ -152,26 +153,12 @@ fn run() -> Result<(), Box<dyn Error>> {
         Some(path) => std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?,
         None => SAMPLE.to_owned(),
     };
-    let (footprints, mut skipped) = read(&text)?;
-
-    let mut lots = Vec::new();
-    for (number, footprint) in footprints.iter().enumerate() {
-        match footprint.lot(number) {
-            Ok(lot) => lots.push(lot),
-            Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
-        }
-    }
-
+    let (lots, mut skipped) = lots(&text)?;
     let begin = Instant::now();
-    let grammar = House { neighbours: true, ..House::default() };
-    let mut district = Model::new();
-    // Crowns reach further than a metre beyond their garden.
-    let report =
-        Scene::new(&grammar, &lots).occlusion_distance(4.0).generate_each(&Settings::default(), |at, model| {
-            progress(at + 1, lots.len());
-            skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", lots[at].name())));
-            model.replay(&mut district as &mut dyn Sink)
-        })?;
+    let (district, shapes) = derive(&lots, &Settings::default(), |at, model| {
+        progress(at + 1, lots.len());
+        skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", lots[at].name())));
+    })?;
     let took = begin.elapsed();
 
     for line in &skipped {
@@ -179,10 +166,40 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     district.write_glb("district.glb")?;
     Picture::new(1200, 800).looking_from(25.0, 28.0).render(&district).write_png("district.png")?;
-    println!("{} outlines, {} reports, {} shapes", lots.len(), skipped.len(), report.shapes);
+    println!("{} outlines, {} reports, {} shapes", lots.len(), skipped.len(), shapes);
     println!("{} triangles in {:.2} s", district.triangle_count(), took.as_secs_f64());
     println!("wrote district.glb and district.png");
     Ok(())
+}
+
+/// The initial shapes of a GeoJSON file, and a line for each feature without one.
+pub(crate) fn lots(text: &str) -> Result<(Vec<Shape>, Vec<String>), Box<dyn Error>> {
+    let (footprints, mut skipped) = read(text)?;
+    let mut lots = Vec::new();
+    for (number, footprint) in footprints.iter().enumerate() {
+        match footprint.lot(number) {
+            Ok(lot) => lots.push(lot),
+            Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
+        }
+    }
+    Ok((lots, skipped))
+}
+
+/// The district on its lots, and the number of shapes. `each` gets the number and the model of each lot.
+pub(crate) fn derive(
+    lots: &[Shape],
+    settings: &Settings,
+    mut each: impl FnMut(usize, &Model) + Send,
+) -> Result<(Model, u64), RunError> {
+    let grammar = House { neighbours: true, ..House::default() };
+    let mut district = Model::new();
+    // Crowns reach further than a metre beyond their garden.
+    let report = Scene::new(&grammar, lots).occlusion_distance(4.0).generate_each(settings, |at, model| {
+        each(at, &model);
+        district.append(&model);
+        ControlFlow::Continue(())
+    })?;
+    Ok((district, report.shapes))
 }
 
 fn progress(done: usize, all: usize) {

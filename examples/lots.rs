@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use cga::{Grammars, Settings, Shape, cga};
+use cga::{Batches, Grammars, Model, RunError, Settings, Shape, cga};
 
 cga! {
     /// A house in a garden.
@@ -52,7 +52,8 @@ cga! {
                 t(0, h * 0.3, 0) s(h * 0.5, h * 0.7, h * 0.5) center(xz) primitiveSphere(12, 8) color("#5f8148") Crown.
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// The buildings on all lots.
+pub(crate) fn model(settings: &Settings) -> Result<Batches<Model>, RunError> {
     let lot = |number: u32| {
         let (column, row) = (number % 24, number / 24);
         let place = [column * 16 + column / 4 * 12, 0, row * 20 + row / 2 * 12].map(f64::from);
@@ -62,7 +63,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let lots: Vec<Shape> = (0..288).map(lot).collect();
     let city = Grammars::new().with(House::default()).with(Block::default()).with(Park::default());
-    let models = city.generate_all(&lots, &Settings::default())?;
+    city.generate_all(&lots, settings)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let models = model(&Settings::default())?;
     models.write_glb("lots.glb")?;
     models.write_png("lots.png")?;
     Ok(())

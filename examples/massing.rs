@@ -5,7 +5,7 @@
 use std::error::Error;
 
 use cga::sink::picture::Picture;
-use cga::{Model, Settings, Shape, Sink, cga};
+use cga::{Model, Settings, Shape, cga};
 
 cga! {
     /// Ten ways to fill a lot, one for each start rule.
@@ -110,17 +110,21 @@ pub(crate) fn lots() -> impl Iterator<Item = (&'static str, Shape)> {
     })
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// The building on each lot, with the name of its start rule.
+pub(crate) fn models(settings: &Settings) -> Result<Vec<(&'static str, Model)>, cga::Error> {
     let grammar = Massing::default();
+    let made = lots().map(|(start, lot)| Ok((start, grammar.generate_with(&lot.start(start), settings)?)));
+    made.collect()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
     let mut model = Model::new();
-    for (start, lot) in lots() {
-        let settings = Settings { start: Some(start.to_owned()), ..Settings::default() };
-        let made = grammar.generate_with(&lot, &settings)?;
+    for (start, made) in models(&Settings::default())? {
         for fault in made.faults() {
             println!("{start}: {fault}");
         }
         println!("{start}: {} parts, {:.0} m³", made.leaves().len(), made.volume());
-        let _ = made.replay(&mut model as &mut dyn Sink);
+        model.append(&made);
     }
     Picture::new(1600, 1000).looking_from(-28.0, 32.0).render(&model).write_png("massing.png")?;
     model.write_glb("massing.glb")?;

@@ -3,7 +3,7 @@
 //! `cargo run --release --example readme`
 
 use cga::sink::picture::Picture;
-use cga::{Shape, cga};
+use cga::{Error, Model, Settings, Shape, cga};
 
 cga! {
     grammar House;
@@ -20,9 +20,13 @@ cga! {
     Frame  --> t(0, 0, -0.2) extrude(0.26) Frame.
 }
 
+/// The house of the picture.
+pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
+    House { height: 20.0 }.generate_with(&Shape::rectangle(16.0, 11.0), settings)
+}
+
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let house = House { height: 20.0 };
-    let model = house.generate(&Shape::rectangle(16.0, 11.0))?;
+    let model = model(&Settings::default())?;
     std::fs::create_dir_all("docs")?;
     Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/readme.png")?;
     println!("wrote docs/readme.png");

@@ -19,7 +19,7 @@ use std::error::Error;
 use std::path::Path;
 
 use cga::sink::picture::Picture;
-use cga::{Assets, Grammar, Model, Settings, Shape, Sink};
+use cga::{Assets, Grammar, Model, Settings, Shape};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("out/guide");
@@ -27,7 +27,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     images::bricks().write_png(folder.join("bricks.png"))?;
     images::tiles().write_png(folder.join("tiles.png"))?;
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
+    for (number, model) in (1..).zip(models(&settings)?) {
+        write(number, &model)?;
+    }
+    println!("wrote the pictures of docs/guide");
+    Ok(())
+}
 
+/// The models of all steps.
+pub(crate) fn models(settings: &Settings) -> Result<Vec<Model>, cga::Error> {
     let lot = Shape::rectangle(11.0, 8.0);
     let higher = step_03::House { storeys: 4.0 };
     let steps: [&dyn Grammar; 9] = [
@@ -41,22 +49,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         &step_08::House::default(),
         &step_09::House::default(),
     ];
-    for (number, grammar) in (1..).zip(steps) {
-        write(number, &grammar.generate_with(&lot, &settings)?)?;
-    }
-    write(10, &street(&settings)?)?;
-    println!("wrote the pictures of docs/guide");
-    Ok(())
+    let houses = steps.into_iter().map(|grammar| grammar.generate_with(&lot, settings));
+    houses.chain([street(settings)]).collect()
 }
 
 /// A row of houses on lots of several widths, each with a seed of its own.
-fn street(settings: &Settings) -> Result<Model, Box<dyn Error>> {
+fn street(settings: &Settings) -> Result<Model, cga::Error> {
     let mut street = Model::new().with_assets(settings.assets.clone());
     let mut x = 0.0;
     for (seed, width) in (1..).zip([9.0, 7.0, 11.0, 8.0, 10.0, 7.5]) {
         let house = step_10::House::default();
         let model = house.generate_with(&Shape::rectangle(width, 8.0).at([x, 0.0, 0.0]).seed(seed), settings)?;
-        let _ = model.replay(&mut street as &mut dyn Sink);
+        street.append(&model);
         x += width + 2.5;
     }
     Ok(street)

@@ -16,6 +16,7 @@ mod collect;
 mod components;
 mod cutting;
 mod faces;
+mod gates;
 mod mass;
 mod mesh_operations;
 mod normals;

@@ -1,0 +1,19 @@
+//! Surfaces in one place.
+
+use crate::finding::Finding;
+use crate::look::Look;
+use crate::survey::Survey;
+
+/// The pixels with two surfaces of different materials in one place: a depth buffer shows one or the other by chance.
+pub fn fights(survey: &Survey, looks: &[Look]) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    for look in looks {
+        findings.extend(look.doubled.iter().map(|pair| {
+            let mut parts: Vec<u32> = pair.iter().map(|seen| survey.triangles[*seen as usize].part).collect();
+            parts.dedup();
+            let corners = survey.triangles[pair[1] as usize].corners;
+            Finding { parts, place: corners.iter().sum::<cga::glam::DVec3>() / 3.0 }
+        }));
+    }
+    findings
+}

@@ -1,0 +1,38 @@
+//! Pixels of triangles, with a margin around or inside of their edges.
+
+/// A pixel belongs to a triangle if its middle is at least `inset` pixels inside; a negative number adds pixels around the edges, which
+/// closes cracks between triangles whose edges meet. The third number of a corner is interpolated.
+pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: &mut dyn FnMut(usize, f64)) {
+    let [a, mut b, mut c] = corners;
+    let mut area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    if area < 0.0 {
+        (b, c, area) = (c, b, -area);
+    }
+    // Seen from its edge, a triangle has no pixels.
+    if area < 1e-9 {
+        return;
+    }
+    let least = |axis: usize| a[axis].min(b[axis]).min(c[axis]);
+    let most = |axis: usize| a[axis].max(b[axis]).max(c[axis]);
+    let first = |axis: usize| (least(axis) - 0.5 + inset).ceil().max(0.0) as usize;
+    let after = |axis: usize| ((most(axis) - 0.5 - inset).floor() + 1.0).clamp(0.0, size[axis] as f64) as usize;
+    let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| {
+        let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+        let length = dx.hypot(dy).max(1e-12);
+        let [nx, ny] = [-dy / length, dx / length];
+        [nx, ny, -(nx * p[0] + ny * p[1]) - inset]
+    });
+    let qx = ((b[2] - a[2]) * (c[1] - a[1]) - (c[2] - a[2]) * (b[1] - a[1])) / area;
+    let qy = ((c[2] - a[2]) * (b[0] - a[0]) - (b[2] - a[2]) * (c[0] - a[0])) / area;
+    let (low, high) = (least(2), most(2));
+    for y in first(1)..after(1) {
+        let middle = y as f64 + 0.5;
+        for x in first(0)..after(0) {
+            let at = x as f64 + 0.5;
+            if edges.iter().all(|[nx, ny, d]| 0.0 <= nx * at + ny * middle + d) {
+                let q = a[2] + qx * (at - a[0]) + qy * (middle - a[1]);
+                put(y * size[0] + x, q.clamp(low, high));
+            }
+        }
+    }
+}
