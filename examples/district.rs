@@ -44,26 +44,28 @@ cga! {
 
     @StartRule
     Lot    --> case geometry.area < 60 : Build(3.2) else : Build(height)
-    Build(h) --> color(wall) Mass(h) t(0, h, 0) Top
+    // Eaves would reach into a neighbour at the same wall.
+    Build(h) --> color(wall) Mass(h) extrude(h) Topped(case neighbours && touches(inter) : 0 else : eaves)
+    Topped(overhang) --> set(trim.horizontal, false) set(trim.vertical, false) comp(f) { top : alignScopeToAxes(y) Top(overhang) }
     Mass(h) --> extrude(h) split(y) { ~1 : Body | cornice : Cornice }
     Body   --> comp(f) { side : Facade }
     Cornice --> color("#efe9dc") comp(f) { side : Cornice. }
 
     // Halls and sheds are flat, blocks with a courtyard have hips on both sides, and other houses hips or gables.
-    Top    --> case geometry.area > 4000 : Flat
-               case geometry.nHoles > 0 : Hip
+    Top(overhang) --> case geometry.area > 4000 : Flat
+               case geometry.nHoles > 0 : Hip(overhang)
                case geometry.area > 1500 || geometry.area < 60 : Flat
                case geometry.area < 140 : Shed
-               else : Pitched
-    Pitched --> 55% : Gable else : Hip
-    Hip    --> roofHip(slope, eaves) Planes
-    Gable  --> roofGable(slope, eaves, 0.3) Planes
+               else : Pitched(overhang)
+    Pitched(overhang) --> 55% : Gable(overhang) else : Hip(overhang)
+    Hip(overhang) --> roofHip(slope, overhang) Planes
+    Gable(overhang) --> roofGable(slope, overhang, max(0.02, overhang / 2)) Planes
     Shed   --> roofShed(rand(8, 14)) Planes
     Planes --> comp(f) { isTagged("roof.side") : Pediment | isTagged("roof.bottom") : NIL | all : Plane }
     Pediment --> case scope.sy < 3 : Wall.
                else : split(y) { 0.5 : Wall. | 2.2 : split(x) { ~1 : Wall. | { ~2.8 : Attic }* | ~1 : Wall. } | ~1 : Wall. }
     Attic  --> case geometry.isRectangular(3) && scope.sx > 2 : Bay(0.5, 1.4) else : Wall.
-    Plane  --> [ color(roof) extrude(-tiles) Tiles. ] Dormers
+    Plane  --> [ color(roof) t(0, 0, -tiles) extrude(tiles) Tiles. ] Dormers
 
     // Dormers stand in one row above the eaves, where the plane is long and high enough.
     Dormers --> case scope.sx > 6 && scope.sy > 4.5 && geometry.isRectangular(3) : DormerRow(1.5)
@@ -76,7 +78,7 @@ cga! {
                else : NIL
     DormerFront --> split(x) { ~1 : Wall. | 0.9 : split(y) { ~1 : Wall. | ^0.75 : Pane | ~1 : Wall. } | ~1 : Wall. }
     Pane   --> color(light) Glass.
-    DormerRoof --> color(roof) roofGable(35, 0.2, 0.2) comp(f) { isTagged("roof.bottom") : NIL | all : DormerTiles. }
+    DormerRoof --> color(roof) roofGable(35) DormerTiles.
 
     // A flat roof has a parapet and machines.
     Flat   --> offset(-0.4) comp(f) { inside : Terrace | border : Parapet }
@@ -100,7 +102,9 @@ cga! {
     Ground(selling) -->
                case selling && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
                else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }
-    Shop   --> split(y) { 3 : [ t(0, 0, -0.2) color("#39464d") Glass. ] NIL | ~1 : color("#6b4a3a") Sign. }
+    Shop   --> split(y) { 3 : Display | ~1 : color("#6b4a3a") Sign. }
+    Display --> [ t(0, 0, -0.2) color("#39464d") Glass. ]
+               t(0, 0, -0.2) s(^1, ^1, 0.2) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Wall. }
     Floor  --> split(x) { ~0.4 : Wall. | { ~2.8 : Bay(0.85, 1.75) }* | ~0.4 : Wall. }
     Bay(sill, h) --> split(x) { ~1 : Wall. | 1.15 : Column(sill, h) | ~1 : Wall. }
     Column(sill, h) --> split(y) { sill : Wall. | h : Window | ~1 : Wall. }

@@ -12,7 +12,11 @@ pub fn back_faces(survey: &Survey, looks: &[Look]) -> Vec<Finding> {
         for pixel in 0..look.pixels() {
             let seen = [look.nearest(pixel), look.opaque(pixel)].into_iter().flatten();
             let back = seen.map(|seen| &survey.triangles[seen as usize]).find(|triangle| look.is_back(triangle));
-            findings.extend(back.map(|triangle| Finding { parts: vec![triangle.part], place: look.place(pixel) }));
+            findings.extend(back.map(|triangle| Finding {
+                parts: vec![triangle.part],
+                place: look.place(pixel),
+                side: Some(look.side),
+            }));
         }
     }
     findings

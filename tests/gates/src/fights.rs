@@ -8,11 +8,10 @@ use crate::survey::Survey;
 pub fn fights(survey: &Survey, looks: &[Look]) -> Vec<Finding> {
     let mut findings = Vec::new();
     for look in looks {
-        findings.extend(look.doubled.iter().map(|pair| {
+        findings.extend(look.doubled.iter().map(|(pixel, pair)| {
             let mut parts: Vec<u32> = pair.iter().map(|seen| survey.triangles[*seen as usize].part).collect();
             parts.dedup();
-            let corners = survey.triangles[pair[1] as usize].corners;
-            Finding { parts, place: corners.iter().sum::<cga::glam::DVec3>() / 3.0 }
+            Finding { parts, place: look.place(*pixel), side: Some(look.side) }
         }));
     }
     findings

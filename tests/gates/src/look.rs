@@ -20,6 +20,8 @@ const ONE_PLACE: f64 = 1e-5;
 
 /// A model from one side, without perspective.
 pub struct Look {
+    /// The azimuth and the elevation of the viewer, in degrees.
+    pub side: [f64; 2],
     pub width: usize,
     pub height: usize,
     right: DVec3,
@@ -33,8 +35,8 @@ pub struct Look {
     /// The nearest triangle of each pixel that light does not pass through.
     opaque: Vec<u32>,
     depth: Vec<f64>,
-    /// For pixels with two surfaces of different looks in one place, both triangles.
-    pub(crate) doubled: Vec<[u32; 2]>,
+    /// The pixels with two surfaces of different materials in one place, and both triangles.
+    pub(crate) doubled: Vec<(usize, [u32; 2])>,
 }
 
 /// The looks from twelve sides, from low, from the height of roofs and from above.
@@ -59,6 +61,7 @@ impl Look {
         let (width, height) = (side(right), side(up));
         let count = width * height;
         let mut look = Look {
+            side: [azimuth, elevation],
             width,
             height,
             right,
@@ -137,7 +140,8 @@ impl Look {
                 }
             });
         }
-        self.doubled = first.into_iter().zip(second).filter(|pair| pair.1 != NOTHING).map(|(a, b)| [a, b]).collect();
+        let pairs = first.into_iter().zip(second).map(<[u32; 2]>::from).enumerate();
+        self.doubled = pairs.filter(|(_, pair)| pair[1] != NOTHING).collect();
     }
 
     /// The nearest triangle of a pixel, through clear parts or not.
@@ -155,6 +159,26 @@ impl Look {
         let [cx, cy] = [self.width, self.height].map(|side| 0.5 * side as f64);
         let depth = if self.depth[pixel].is_finite() { self.depth[pixel] } else { 0.0 };
         self.centre + (self.right * (x - cx) - self.up * (y - cy)) / self.scale + self.towards * depth
+    }
+
+    /// The eight pixels around a pixel; `None` at the border of the picture.
+    pub(crate) fn around(&self, pixel: usize) -> Option<[usize; 8]> {
+        let (x, y, width) = (pixel % self.width, pixel / self.width, self.width);
+        let is_inside = 0 < x && x + 1 < width && 0 < y && y + 1 < self.height;
+        is_inside.then(|| {
+            let (above, below) = (pixel - width, pixel + width);
+            [pixel - 1, pixel + 1, above - 1, above, above + 1, below - 1, below, below + 1]
+        })
+    }
+
+    /// The distance of the nearest surface of a pixel in metres, growing towards the viewer.
+    pub(crate) fn depth(&self, pixel: usize) -> f64 {
+        self.depth[pixel]
+    }
+
+    /// The side of a pixel in metres.
+    pub(crate) fn pixel(&self) -> f64 {
+        1.0 / self.scale
     }
 
     pub(crate) fn pixels(&self) -> usize {

@@ -38,7 +38,7 @@ pub fn nested(survey: &Survey) -> Vec<Finding> {
                 let middle = triangle.corners.iter().sum::<DVec3>() / 3.0;
                 let sides = [DEPTH, -DEPTH].map(|depth| middle + triangle.normal * depth);
                 if sides.iter().all(|side| outer.contains(*side)) {
-                    findings.push(Finding { parts: vec![triangle.part], place: middle });
+                    findings.push(Finding { parts: vec![triangle.part], place: middle, side: None });
                 }
             }
         }

@@ -99,14 +99,13 @@ impl Survey {
     }
 
     fn mesh(&mut self, mesh: &Mesh, placement: &DAffine3, part: u32, triangulator: &mut Triangulator) {
-        let mirrored = placement.matrix3.determinant() < 0.0;
         let mut triangles = Vec::new();
         (0..mesh.face_count()).for_each(|face| triangulator.face(mesh, face, &mut triangles));
         for corners in triangles {
             let [a, b, c] = corners.map(|corner| {
                 placement.transform_point3(mesh.points()[mesh.corners()[corner as usize] as usize])
             });
-            self.triangle(if mirrored { [a, c, b] } else { [a, b, c] }, part);
+            self.triangle([a, b, c], part);
         }
     }
 
