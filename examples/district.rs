@@ -2,7 +2,7 @@
 //! a neighbour have no windows, shops face a street, and trees stand clear of houses.
 //!
 //! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude. The property `start` is
-//! `Street` or `Garden`; other polygons are buildings. Without a path it uses a small sample of made-up outlines.
+//! `Street`, `Square` or `Garden`; other polygons are buildings. Without a path it uses a small sample of made-up outlines.
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
@@ -104,7 +104,7 @@ cga! {
                else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }
     Shop   --> split(y) { 3 : Display | ~1 : color("#6b4a3a") Sign. }
     Display --> [ t(0, 0, -0.2) color("#39464d") Glass. ]
-               t(0, 0, -0.2) s(^1, ^1, 0.2) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Wall. }
+               set(trim.vertical, false) t(0, 0, -0.2) s(^1, ^1, 0.2) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Wall. }
     Floor  --> split(x) { ~0.4 : Wall. | { ~2.8 : Bay(0.85, 1.75) }* | ~0.4 : Wall. }
     Bay(sill, h) --> split(x) { ~1 : Wall. | 1.15 : Column(sill, h) | ~1 : Wall. }
     Column(sill, h) --> split(y) { sill : Wall. | h : Window | ~1 : Wall. }
@@ -115,6 +115,9 @@ cga! {
 
     @StartRule
     Street --> label("street") color("#62646a") Roadway.
+
+    @StartRule
+    Square --> t(0, -0.1, 0) color("#c6c0b4") Paving.
 
     // Trees that would grow into a house are left out.
     @StartRule
@@ -226,6 +229,7 @@ pub(crate) fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn 
         let start = match feature["properties"]["start"].as_str() {
             Some("Street") => "Street",
             Some("Garden") => "Garden",
+            Some("Square") => "Square",
             _ => "Lot",
         };
         let geometry = &feature["geometry"];
@@ -292,7 +296,7 @@ fn project(footprints: &mut [Footprint]) {
     }
 }
 
-/// Made-up buildings, one with a courtyard and some in a row, a street and gardens, and two features that cannot be built.
+/// Made-up buildings, one with a courtyard and some in a row, a street, gardens and a square below them, and two features that cannot be built.
 pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0000, 50.0000], [10.0006, 50.0000], [10.0006, 50.0004], [10.0000, 50.0004], [10.0000, 50.0000]],
@@ -325,6 +329,8 @@ pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
         [[10.00076, 49.99968], [10.00095, 49.99968], [10.00095, 49.99981], [10.00076, 49.99981], [10.00076, 49.99968]] ] } },
     { "type": "Feature", "properties": { "start": "Garden" }, "geometry": { "type": "Polygon", "coordinates": [
         [[10.00000, 49.99982], [10.00130, 49.99982], [10.00130, 49.99997], [10.00000, 49.99997], [10.00000, 49.99982]] ] } },
+    { "type": "Feature", "properties": { "start": "Square" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[9.99985, 49.99950], [10.00145, 49.99950], [10.00145, 50.00070], [9.99985, 50.00070], [9.99985, 49.99950]] ] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [10.0, 50.0] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0, 50.0], [10.001, 50.0], [10.0, 50.0]] ] } }

@@ -19,7 +19,7 @@ cga! {
     Facade --> split(y) { { ~3 : split(x) { ~0.6 : Wall. | { ~2.8 : Bay }* | ~0.6 : Wall. } }* }
     Bay    --> split(x) { ~1 : Wall. | 1.1 : split(y) { ~0.9 : Wall. | ~1.4 : Window | ~0.6 : Wall. } | ~1 : Wall. }
     Window --> [ Recess(0.15) ] t(0, 0, -0.15) color("#5b7583") Glass.
-    Recess(depth) --> t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
 }
 
 cga! {
@@ -37,7 +37,7 @@ cga! {
     Shops  --> split(x) { ~0.4 : Wall. | { ~3.6 : Glass(0.3) | 0.4 : Wall. }* }
     Floor  --> split(x) { ~0.4 : Wall. | { ~1.9 : split(y) { ~0.8 : Wall. | ~2 : Glass(0.2) | ~0.3 : Wall. } | 0.4 : Wall. }* }
     Glass(depth) --> [ Recess(depth) ] t(0, 0, -depth) color("#4f6672") Glass.
-    Recess(depth) --> t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Roof   --> color("#8d8f8c") offset(-0.4) comp(f) { inside : Roof. | border : color("#cfc9bd") extrude(0.7) Parapet. }
 }
 
@@ -71,7 +71,8 @@ pub(crate) fn model(settings: &Settings) -> Result<Batches<Model>, RunError> {
     };
     let land = Shape::rectangle(468.0, 324.0).at([-12.0, -0.2, -12.0]).grammar("Land");
     let lots: Vec<Shape> = (0..288).map(lot).chain([land]).collect();
-    let city = Grammars::new().with(Land::default()).with(House::default()).with(Block::default()).with(Park::default());
+    let city =
+        Grammars::new().with(Land::default()).with(House::default()).with(Block::default()).with(Park::default());
     city.generate_all(&lots, settings)
 }
 

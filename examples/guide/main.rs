@@ -27,18 +27,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     images::bricks().write_png(folder.join("bricks.png"))?;
     images::tiles().write_png(folder.join("tiles.png"))?;
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
-    for (number, model) in (1..).zip(models(&settings)?) {
-        write(number, &model)?;
+    for step in 1..=STEPS {
+        write(step, &model(step, &settings)?)?;
     }
     println!("wrote the pictures of docs/guide");
     Ok(())
 }
 
-/// The models of all steps.
-pub(crate) fn models(settings: &Settings) -> Result<Vec<Model>, cga::Error> {
-    let lot = Shape::rectangle(11.0, 8.0);
+/// The number of steps.
+pub(crate) const STEPS: usize = 10;
+
+/// The model of a step, from 1 on.
+pub(crate) fn model(step: usize, settings: &Settings) -> Result<Model, cga::Error> {
     let higher = step_03::House { storeys: 4.0 };
-    let steps: [&dyn Grammar; 9] = [
+    let houses: [&dyn Grammar; STEPS - 1] = [
         &step_01::House::default(),
         &step_02::House::default(),
         &higher,
@@ -49,8 +51,10 @@ pub(crate) fn models(settings: &Settings) -> Result<Vec<Model>, cga::Error> {
         &step_08::House::default(),
         &step_09::House::default(),
     ];
-    let houses = steps.into_iter().map(|grammar| grammar.generate_with(&lot, settings));
-    houses.chain([street(settings)]).collect()
+    match houses.get(step - 1) {
+        Some(house) => house.generate_with(&Shape::rectangle(11.0, 8.0), settings),
+        None => street(settings),
+    }
 }
 
 /// A row of houses on lots of several widths, each with a seed of its own.

@@ -65,7 +65,7 @@ cga! {
                 t(0, 0, -0.2) split(x) { 0.08 : Frame | ~1 : Pane | 0.06 : Frame | ~1 : Pane | 0.08 : Frame }
     Shutters(tint) --> color(tint) s(scope.sx + 1, ^1, 0) center(x)
                 split(x) { 0.48 : extrude(0.06) Shutter. | ~1 : NIL | 0.48 : extrude(0.06) Shutter. }
-    Recess(deep) --> t(0, 0, -deep) s(^1, ^1, deep) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
+    Recess(deep) --> set(trim.vertical, false) t(0, 0, -deep) s(^1, ^1, deep) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Frame   --> color("#f6f1e6") extrude(0.08) Frame.
     Pane    --> color("#5a7381") set(material.roughness, 0.1) Glass.
 

@@ -96,7 +96,7 @@ cga! {
     Display --> [ Recess(0.3) ] [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
                 t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube
                 split(z) { 0.15 : Sign. | ~1 : split(y) { 0.1 : Awning. | ~1 : NIL } }
-    Recess(depth) --> t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Floor   --> split(x) { { ~2.7 : Bay }* }
     // A wall that touches the neighbour has no window.
     Bay     --> case touches(inter, "house") : Wall.
@@ -106,9 +106,9 @@ cga! {
 
     // The ground of a block, as high as the sidewalks around it.
     @StartRule
-    Yard    --> extrude(kerb) color(paving) Yard.
+    Yard    --> extrude(kerb - 0.01) color(paving) Yard.
     @StartRule
-    Green   --> [ extrude(kerb) color("#8dab66") Lawn. ]
+    Green   --> [ extrude(kerb - 0.03) color("#8dab66") Lawn. ]
                 t(0, kerb, 0) offset(-3, inside) scatter(surface, 16, uniform) { Tree }
 }
 
@@ -160,16 +160,17 @@ pub fn scene() -> Scene {
     let parts = network.parts().iter().zip(1..);
     let streets = parts.map(|(part, seed)| Start::new(part.start_rule(), part.shape().seed(seed)));
 
-    // The blocks reach to the sidewalks. Their fronts are beside the main street.
-    let [left_west, left_east] = [west, east].map(|line| left(line, 10.0));
-    let [right_west, right_east] = [west, east].map(|line| left(line, -10.0));
-    let [[north_left, north_right], [south_left, south_right]] = [north, south].map(|line| [left(line, 7.0), left(line, -7.0)]);
-    let [lane_left, lane_right] = [left(lane, 6.5), left(lane, -6.5)];
+    // The blocks reach to the sidewalks, two centimetres below them.
+    let [left_west, left_east] = [west, east].map(|line| left(line, 9.98));
+    let [right_west, right_east] = [west, east].map(|line| left(line, -9.98));
+    let [[north_left, north_right], [south_left, south_right]] =
+        [north, south].map(|line| [left(line, 6.98), left(line, -6.98)]);
+    let [lane_left, lane_right] = [left(lane, 6.48), left(lane, -6.48)];
     let outline = |points: [[f64; 2]; 4]| Shape::footprint(&points, &[]).expect("an outline");
     let yards = [
-        [at(left_west, 0, -70.0), meet(left_west, north_left), at(north_left, 1, -34.0), [-70.0, -34.0]],
-        [meet(left_east, north_right), meet(left_east, lane_left), at(lane_left, 1, -34.0), at(north_right, 1, -34.0)],
-        [meet(left_east, lane_right), at(left_east, 0, 75.0), [75.0, -34.0], at(lane_right, 1, -34.0)],
+        [at(left_west, 0, -70.0), meet(left_west, north_left), at(north_left, 1, -58.0), [-70.0, -58.0]],
+        [meet(left_east, north_right), meet(left_east, lane_left), at(lane_left, 1, -58.0), at(north_right, 1, -58.0)],
+        [meet(left_east, lane_right), at(left_east, 0, 75.0), [75.0, -58.0], at(lane_right, 1, -58.0)],
     ];
     let yards = yards.map(|yard| Start::new("Yard", outline(yard)));
     let houses = [

@@ -73,7 +73,7 @@ cga! {
     Porch   --> split(x) { ~1 : Wall. | ^0.32 : split(y) { ^0.72 : Door | ~1 : Wall. } | ~1 : Wall. }
     Door    --> offset(-foot * 0.2)
                 comp(f) { border : extrude(foot * 0.12) Frame. | inside : [ Recess(0.4) ] t(0, 0, -0.4) color("#6d4a2e") split(x) { ~1 : Leaf. | 0.06 : extrude(0.05) Leaf. | ~1 : Leaf. } }
-    Recess(depth) --> t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
 }
 
 pub fn scene() -> Scene {

@@ -41,7 +41,8 @@ pub struct Look {
 
 /// The looks from twelve sides, from low, from the height of roofs and from above.
 pub fn looks(survey: &Survey, pixels: usize) -> Vec<Look> {
-    let sides = (0..12).map(|side| Look::of(survey, 30.0 * f64::from(side) + 13.0, [9.0, 27.0, 52.0][side as usize % 3], pixels));
+    let sides = (0..12)
+        .map(|side| Look::of(survey, 30.0 * f64::from(side) + 13.0, [9.0, 27.0, 52.0][side as usize % 3], pixels));
     sides.collect()
 }
 
@@ -169,6 +170,20 @@ impl Look {
             let (above, below) = (pixel - width, pixel + width);
             [pixel - 1, pixel + 1, above - 1, above, above + 1, below - 1, below, below + 1]
         })
+    }
+
+    /// The pixels of background from which the border of the picture can be reached, in steps to one of eight neighbours.
+    pub(crate) fn outside(&self) -> Vec<bool> {
+        let mut outside = vec![false; self.pixels()];
+        // The model is two pixels away from the border.
+        let mut open = vec![self.width + 1];
+        while let Some(pixel) = open.pop() {
+            if self.nearest(pixel).is_none() && !outside[pixel] {
+                outside[pixel] = true;
+                open.extend(self.around(pixel).into_iter().flatten());
+            }
+        }
+        outside
     }
 
     /// The distance of the nearest surface of a pixel in metres, growing towards the viewer.

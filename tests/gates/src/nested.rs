@@ -34,19 +34,39 @@ pub fn nested(survey: &Survey) -> Vec<Finding> {
     for (at, inner) in buildings.iter().enumerate() {
         let others = buildings.iter().enumerate().filter(|(other, _)| *other != at);
         for (_, outer) in others {
-            for triangle in &inner.triangles {
-                let middle = triangle.corners.iter().sum::<DVec3>() / 3.0;
-                let sides = [DEPTH, -DEPTH].map(|depth| middle + triangle.normal * depth);
-                if sides.iter().all(|side| outer.contains(*side)) {
-                    findings.push(Finding { parts: vec![triangle.part], place: middle, side: None });
-                }
+            for triangle in inner.triangles.iter().filter(|triangle| outer.may_contain(triangle)) {
+                let is_inside = |place: &DVec3| {
+                    let sides = [DEPTH, -DEPTH].map(|depth| *place + triangle.normal * depth);
+                    sides.iter().all(|side| outer.contains(*side))
+                };
+                let place = samples(triangle).find(is_inside);
+                findings.extend(place.map(|place| Finding { parts: vec![triangle.part], place, side: None }));
             }
         }
     }
     findings
 }
 
+/// Places on a triangle, about half a metre apart.
+fn samples(triangle: &Triangle) -> impl Iterator<Item = DVec3> {
+    let [a, b, c] = triangle.corners;
+    let longest = [a - b, b - c, c - a].iter().map(|side| side.length()).fold(0.0, f64::max);
+    let count = (longest / 0.5).ceil().clamp(1.0, 24.0) as usize;
+    let place = move |column: usize, row: usize| {
+        let [u, v] = [column, row].map(|at| (at as f64 + 1.0 / 3.0) / count as f64);
+        a + (b - a) * u + (c - a) * v
+    };
+    (0..count).flat_map(move |row| (0..count - row).map(move |column| place(column, row)))
+}
+
 impl Building {
+    /// Returns true if the boxes of the building and of a triangle overlap.
+    fn may_contain(&self, triangle: &Triangle) -> bool {
+        let Bounds { low, high } = self.bounds;
+        let [a, b, c] = triangle.corners;
+        (low + DEPTH).cmplt(a.max(b).max(c)).all() && a.min(b).min(c).cmplt(high - DEPTH).all()
+    }
+
     /// Returns true if a point is inside: the surfaces fill more than half of the directions from there.
     fn contains(&self, point: DVec3) -> bool {
         let Bounds { low, high } = self.bounds;

@@ -102,9 +102,8 @@ impl Survey {
         let mut triangles = Vec::new();
         (0..mesh.face_count()).for_each(|face| triangulator.face(mesh, face, &mut triangles));
         for corners in triangles {
-            let [a, b, c] = corners.map(|corner| {
-                placement.transform_point3(mesh.points()[mesh.corners()[corner as usize] as usize])
-            });
+            let [a, b, c] = corners
+                .map(|corner| placement.transform_point3(mesh.points()[mesh.corners()[corner as usize] as usize]));
             self.triangle([a, b, c], part);
         }
     }
