@@ -75,6 +75,6 @@ fn write(step: usize, model: &Model) -> Result<(), Box<dyn Error>> {
     // The street is long.
     let (width, height) = if step == 10 { (1200, 560) } else { (900, 620) };
     let picture = Picture::new(width, height).looking_from(28.0, 16.0);
-    picture.render(model).write_png(format!("docs/guide/step-{step:02}.png"))?;
+    picture.render(model).write_indexed_png(format!("docs/guide/step-{step:02}.png"))?;
     Ok(())
 }
