@@ -23,8 +23,9 @@ fn no_back_is_seen_from_twelve_sides() {
 #[test]
 fn the_inside_beside_a_window_is_found() {
     let found = |reveals: bool| {
-        let make =
-            move |settings: &Settings| House { hasReveals: reveals }.generate_with(&Shape::rectangle(10.0, 8.0), settings);
+        let make = move |settings: &Settings| {
+            House { hasReveals: reveals }.generate_with(&Shape::rectangle(10.0, 8.0), settings)
+        };
         planted(make, |surveyed| back_faces(&surveyed.survey, &surveyed.looks))
     };
     let open = found(false);

@@ -9,6 +9,7 @@
 #![allow(missing_docs, reason = "the package is not published")]
 
 mod back_faces;
+mod cracks;
 mod fights;
 mod finding;
 mod holes;
@@ -19,6 +20,7 @@ mod raster;
 mod survey;
 
 pub use back_faces::back_faces;
+pub use cracks::Triangles;
 pub use fights::fights;
 pub use finding::{Finding, report};
 pub use holes::holes;

@@ -36,3 +36,40 @@ pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: 
         }
     }
 }
+
+/// Pixels of a triangle by the rules of graphics cards: corners are rounded to a grid of `grid` places in a pixel, and of two triangles with
+/// a common edge, one has the pixels whose middle is on it.
+pub(crate) fn snapped(corners: [[f64; 3]; 3], grid: f64, size: usize, put: &mut dyn FnMut(usize, f64)) {
+    let snap = |c: f64| (c * grid).round() as i64;
+    let [a, mut b, mut c] = corners.map(|[x, y, q]| (snap(x), snap(y), q));
+    let cross =
+        |p: (i64, i64, f64), q: (i64, i64, f64), r: (i64, i64)| (q.0 - p.0) * (r.1 - p.1) - (q.1 - p.1) * (r.0 - p.0);
+    let mut area = cross(a, b, (c.0, c.1));
+    if area < 0 {
+        (b, c, area) = (c, b, -area);
+    }
+    if area == 0 {
+        return;
+    }
+    let half = (grid * 0.5) as i64;
+    let cell = grid as i64;
+    let range = |values: [i64; 3]| {
+        let (low, high) = (values.iter().min().copied().unwrap_or(0), values.iter().max().copied().unwrap_or(0));
+        [(low - half).div_euclid(cell).max(0), ((high - half).div_euclid(cell) + 1).min(size as i64)]
+    };
+    let [xs, ys] = [range([a.0, b.0, c.0]), range([a.1, b.1, c.1])];
+    // Edges on the left and on the top own their pixels.
+    let owned = |p: (i64, i64, f64), q: (i64, i64, f64)| q.1 < p.1 || (q.1 == p.1 && p.0 < q.0);
+    let edges = [(a, b), (b, c), (c, a)];
+    for y in ys[0]..ys[1] {
+        for x in xs[0]..xs[1] {
+            let middle = (x * cell + half, y * cell + half);
+            let values = edges.map(|(p, q)| cross(p, q, middle));
+            let is_in = edges.iter().zip(values).all(|(&(p, q), value)| 0 < value || (value == 0 && owned(p, q)));
+            if is_in {
+                let [c_share, a_share, b_share] = values.map(|value| value as f64 / area as f64);
+                put(y as usize * size + x as usize, a.2 * a_share + b.2 * b_share + c.2 * c_share);
+            }
+        }
+    }
+}
