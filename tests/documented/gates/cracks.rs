@@ -19,7 +19,7 @@ const VIEWS: u32 = 24;
 fn cracks(model: &Model, pixels: usize) -> [usize; 3] {
     let mut buffers = Buffers::new();
     let _ = model.replay(&mut buffers);
-    let positions: Vec<[f32; 3]> = buffers.vertices().iter().map(|vertex| vertex.position).collect();
+    let positions: Vec<[f32; 3]> = buffers.vertices().iter().map(|&[x, y, z, ..]| [x, y, z]).collect();
     let triangles = Triangles { positions: &positions, indices: buffers.indices() };
     let view = |view: u32| {
         let elevation = 3.0 + 57.0 * f64::from(view) / f64::from(VIEWS - 1);

@@ -92,10 +92,14 @@ impl Held {
             HeldGeometry::Cuboid(cuboid) => cuboid.faces().iter().for_each(|face| each(&face.corners())),
             HeldGeometry::Mesh(mesh, placement) => {
                 let mut points = Vec::new();
-                for ring in mesh.faces().flat_map(|face| face.loops()) {
-                    points.clear();
-                    points.extend(ring.iter().map(|&point| placement.transform_point3(mesh.points()[point as usize])));
-                    each(&points);
+                for face in mesh.faces() {
+                    for ring in face.loops() {
+                        points.clear();
+                        points.extend(
+                            ring.iter().map(|&point| placement.transform_point3(mesh.points()[point as usize])),
+                        );
+                        each(&points);
+                    }
                 }
             }
         }
