@@ -67,6 +67,6 @@ fn the_district_has_no_cracks() {
         let mut one = Model::new();
         watertight.leaves().skip(leaves.start).take(leaves.len()).for_each(|leaf| drop(leaf.replay(&mut one)));
         let [points, pinholes, _] = cracks(&one, 250);
-        assert_eq!([points, pinholes], [0, 0], "{}", building.name());
+        assert_eq!([points, pinholes], [0, 0], "{}", building.name);
     }
 }

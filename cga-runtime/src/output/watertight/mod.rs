@@ -219,3 +219,6 @@ impl<S: Sink> Sink for Watertight<S> {
         self.inner.finish()
     }
 }
+
+#[cfg(test)]
+mod tests;
