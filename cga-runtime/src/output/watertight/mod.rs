@@ -24,8 +24,8 @@ use crate::shape::scope::Scope;
 /// A sink that passes leaves on to another one, with the corners of all leaves of an initial shape as corners of the edges that they lie
 /// in. Then neighbours have the same edges, and no pixel between them is left out.
 ///
-/// It works with every sink, as points are added before faces become triangles: texture coordinates, normals, rules, materials and tags stay.
-/// A leaf without additional points is passed on as it was. The leaves of one initial shape are in memory at a time. Different initial
+/// It works with every sink, and texture coordinates, normals, rules, materials and tags stay. Faces with additional points become
+/// triangles; a leaf without additional points is passed on as it was. The leaves of one initial shape are in memory at a time. Different initial
 /// shapes keep their own corners, and so do inserted assets that nothing has cut ([`Sink::instance`]): one mesh serves all their places.
 ///
 /// A house of 8,000 triangles gets 1.6 to 1.8 times as many. [`Model::watertight`](crate::output::model::Model::watertight) does the same
@@ -40,7 +40,7 @@ use crate::shape::scope::Scope;
 /// # use cga::glam::DVec3;
 /// # use cga::material::Material;
 /// # use cga::shape::scope::Scope;
-/// # let (material, scope) = (Arc::new(Material::default()), Scope::new(DVec3::ZERO, DVec3::ONE));
+/// # let (material, scope) = (Arc::new(Material::default()), Scope { origin: DVec3::ZERO, axes: cga::glam::DMat3::IDENTITY, size: DVec3::ONE });
 /// let leaf = Leaf::new("Wall", &material, &scope);
 /// let wall = |x: f64, y: f64, width: f64| Quad::new(DVec3::new(x, y, 0.0), DVec3::X * width, DVec3::Y);
 /// let mut sink = Watertight::new(Model::new());
@@ -49,8 +49,8 @@ use crate::shape::scope::Scope;
 ///     let _ = sink.quad(&leaf, &quad);
 /// }
 /// let model = sink.into_inner();
-/// let corners: Vec<usize> = model.leaves().map(|leaf| leaf.mesh().0.corners().len()).collect();
-/// assert_eq!(corners, [5, 4, 4]);
+/// let points: Vec<usize> = model.leaves().map(|leaf| leaf.mesh().0.points().len()).collect();
+/// assert_eq!(points, [5, 4, 4]);
 /// ```
 #[derive(Clone, Debug, Default)]
 pub struct Watertight<S> {
