@@ -6,9 +6,10 @@ use cga_gates::Triangles;
 use cga_tests::drawn::drawn;
 
 cga! {
-    /// A wall of storeys with different bays.
+    /// Walls of storeys with different bays around an empty building.
     grammar Bays;
-    Lot   --> s(^1, 12, 0.4) primitiveCube split(y) { { 1 : Storey(split.index + 3) }* }
+    Lot   --> extrude(12) comp(f) { side : Facade }
+    Facade --> split(y) { { 1 : Storey(split.index + 3) }* }
     Storey(bays) --> split(x) { { scope.sx / bays : Bay. }* }
 }
 
@@ -42,7 +43,7 @@ fn check(name: &str, model: &Model, pixels: usize) {
 
 #[test]
 fn a_wall_of_storeys_with_different_bays_has_no_cracks() {
-    let wall = Bays::default().generate_with(&Shape::rectangle(11.0, 1.0), &Settings::default()).expect("a model");
+    let wall = Bays::default().generate_with(&Shape::rectangle(11.0, 8.0), &Settings::default()).expect("a model");
     let before = cracks(&wall, 500);
     assert!(0 < before[1], "the pictures show pinholes without `watertight`");
     check("bays", &wall, 500);

@@ -111,3 +111,35 @@ impl Triangles<'_> {
 fn point(position: [f32; 3]) -> DVec3 {
     DVec3::from_array(position.map(f64::from))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rows of rectangles in front of nothing, the lower one of `below` and the upper one of `above` rectangles.
+    fn rows(below: u32, above: u32) -> (Vec<[f32; 3]>, Vec<u32>) {
+        let (mut positions, mut indices) = (Vec::new(), Vec::new());
+        for (row, count) in [(0.0, below), (1.0, above)] {
+            for at in 0..count {
+                let [from, to] = [at, at + 1].map(|at| 7.0 * at as f32 / count as f32);
+                let start = positions.len() as u32;
+                positions.extend([[from, row, 0.0], [to, row, 0.0], [to, row + 1.0, 0.0], [from, row + 1.0, 0.0]]);
+                indices.extend([0, 1, 2, 0, 2, 3].map(|corner| start + corner));
+            }
+        }
+        (positions, indices)
+    }
+
+    #[test]
+    fn rows_of_different_rectangles_have_cracks() {
+        let cracks = |below, above| {
+            let (positions, indices) = rows(below, above);
+            let triangles = Triangles { positions: &positions, indices: &indices };
+            let pinholes: usize = (0..24).map(|view| triangles.pinholes(f64::from(view) * 3.0 - 35.0, 11.0, 400)).sum();
+            [triangles.points_inside_edges(), pinholes]
+        };
+        assert_eq!(cracks(4, 4), [0, 0]);
+        let [points, pinholes] = cracks(3, 7);
+        assert!(points == 8 && 0 < pinholes, "{points} points, {pinholes} pinholes");
+    }
+}
