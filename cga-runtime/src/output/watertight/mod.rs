@@ -22,7 +22,8 @@ use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::scope::Scope;
 
 /// A sink that passes leaves on to another one, with the corners of all leaves of an initial shape as corners of the edges that they lie
-/// in. Then neighbours have the same edges, and no pixel between them is left out.
+/// in. Then neighbours have the same edges, and no pixel between them is left out. In faces as narrow as frames of windows, some points may
+/// remain inside of edges.
 ///
 /// It works with every sink, and texture coordinates, normals, rules, materials and tags stay. Faces with additional points become
 /// triangles; a leaf without additional points is passed on as it was. The leaves of one initial shape are in memory at a time. Different initial

@@ -28,6 +28,7 @@ pub(super) fn subdivided(mesh: &Mesh, placement: &DAffine3, edges: &EdgePoints) 
         let point = |corner: u32| divided.corners()[corner as usize];
         let mut triangles: Vec<[u32; 3]> = corners.iter().map(|triangle| triangle.each(point)).collect();
         with_area(&mut triangles, &|point| divided.points()[point as usize]);
+        face.loops().for_each(|ring| with_corners(&mut triangles, ring));
         for triangle in triangles {
             made.face([triangle], FaceOrigin::piece(&face));
         }
@@ -85,6 +86,32 @@ fn with_area(triangles: &mut [[u32; 3]], place: &impl Fn(u32) -> DVec3) {
     }
 }
 
+/// Divides triangles of a polygon that leave out corners of a loop: the corners inside of a straight side need not be in a triangle.
+fn with_corners(triangles: &mut Vec<[u32; 3]>, ring: &[u32]) {
+    let count = ring.len();
+    for at in 0..count {
+        let from = ring[at];
+        let owner = |triangles: &[[u32; 3]], to: u32| {
+            triangles.iter().position(|t| (0..3).any(|k| [t[k], t[(k + 1) % 3]] == [from, to]))
+        };
+        if owner(triangles, ring[(at + 1) % count]).is_some() {
+            continue;
+        }
+        // The triangle has a side from here over some corners.
+        let further = (2..count).map(|step| ring[(at + step) % count]);
+        let Some((to, found)) = further.filter_map(|to| Some((to, owner(triangles, to)?))).next() else { continue };
+        let Some(&far) = triangles[found].iter().find(|corner| ![from, to].contains(corner)) else { continue };
+        let next = ring[(at + 1) % count];
+        triangles[found] = [from, next, far];
+        triangles.push([next, to, far]);
+    }
+}
+
+/// A point with the coordinates that both ends of its edge have, so that straight sides stay straight to the last digit.
+fn on_edge(point: DVec3, [low, high]: [DVec3; 2]) -> DVec3 {
+    DVec3::select(low.cmpeq(high), low, point)
+}
+
 /// The mesh with all points inside of its edges as corners.
 fn with_points(mesh: &Mesh, placement: &DAffine3, edges: &EdgePoints) -> Mesh {
     let back = placement.inverse();
@@ -106,6 +133,7 @@ fn with_points(mesh: &Mesh, placement: &DAffine3, edges: &EdgePoints) -> Mesh {
                     let added = edges.inside([low, high]).map(|point| {
                         let share = ((point - low).length() / length).clamp(0.0, 1.0);
                         let local = if is_placed { back.transform_point3(point) } else { point };
+                        let local = on_edge(local, ends.each(|end| mesh.points()[end as usize]));
                         made.point(local, PointOrigin::Between { ends, share })
                     });
                     added.collect()

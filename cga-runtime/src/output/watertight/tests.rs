@@ -1,4 +1,4 @@
-use glam::{DVec2, DVec4};
+use glam::{DMat3, DVec2, DVec4};
 
 use super::*;
 use crate::geometry::uv_map::UvMap;
@@ -93,4 +93,28 @@ fn a_sink_that_ends_the_run_ends_it_here_too() {
     });
     assert!(sink.finish().is_break());
     assert_eq!(sink.into_inner().0, 1);
+}
+
+/// A bar of a window beside four others: points in two edges of a narrow face.
+#[test]
+fn a_bar_beside_others_has_all_their_corners() {
+    let mut sink = Watertight::new(Model::new());
+    with_leaf(&[], |leaf| {
+        let bar = |origin: DVec3, size: DVec3| Cuboid::new(origin, DMat3::from_diagonal(size));
+        let _ = sink.cuboid(&leaf, &bar(DVec3::new(1.2, 0.8, 10.8), DVec3::new(0.1, 2.85, 0.26)));
+        for [y, height] in [[0.8, 0.1], [2.6133, 0.08], [3.55, 0.1]] {
+            let _ = sink.cuboid(&leaf, &bar(DVec3::new(1.3, y, 10.8), DVec3::new(1.96, height, 0.26)));
+        }
+    });
+    let model = sink.into_inner();
+    let (mesh, _) = model.leaves().next().expect("the bar").mesh();
+    assert!(mesh.is_closed() && mesh.check().is_empty());
+    assert_eq!(mesh.face_count(), 25);
+    let has_long_edge = |face: crate::geometry::mesh::FaceRef<'_>| {
+        let inner =
+            |point: &DVec3| (point.x - 1.3).abs() < 1e-9 && [0.8, 3.65].iter().any(|y| (point.y - y).abs() < 1e-9);
+        let depths: Vec<f64> = face.outline().filter(inner).map(|point| point.z).collect();
+        depths.len() == 2 && depths[0] == depths[1]
+    };
+    assert!(!mesh.faces().any(has_long_edge));
 }
