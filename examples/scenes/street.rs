@@ -118,7 +118,7 @@ type Line = [[f64; 2]; 2];
 /// The line to the left of another one, at a distance in metres.
 fn left([from, to]: Line, distance: f64) -> Line {
     let [x, z] = [to[0] - from[0], to[1] - from[1]];
-    let by = distance / x.hypot(z);
+    let by = distance / (x * x + z * z).sqrt();
     [from, to].map(|[a, b]| [a + z * by, b - x * by])
 }
 

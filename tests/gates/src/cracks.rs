@@ -70,7 +70,7 @@ impl Triangles<'_> {
     /// The number of pixels in a picture from one side, in degrees, in which a crack shows what is behind the surfaces around it.
     pub fn pinholes(&self, azimuth: f64, elevation: f64, pixels: usize) -> usize {
         let (a, e) = (azimuth.to_radians(), elevation.to_radians());
-        let towards = DVec3::new(a.sin() * e.cos(), e.sin(), a.cos() * e.cos());
+        let towards = DVec3::new(libm::sin(a) * libm::cos(e), libm::sin(e), libm::cos(a) * libm::cos(e));
         let right = DVec3::Y.cross(towards).normalize_or(DVec3::X);
         let up = towards.cross(right);
         let all = || self.positions.iter().map(|position| point(*position));

@@ -50,7 +50,7 @@ impl Look {
     /// The look from an azimuth and an elevation in degrees, with that many pixels along the longer side.
     pub fn of(survey: &Survey, azimuth: f64, elevation: f64, pixels: usize) -> Self {
         let (a, e) = (azimuth.to_radians(), elevation.to_radians());
-        let towards = DVec3::new(a.sin() * e.cos(), e.sin(), a.cos() * e.cos());
+        let towards = DVec3::new(libm::sin(a) * libm::cos(e), libm::sin(e), libm::cos(a) * libm::cos(e));
         let right = DVec3::Y.cross(towards).normalize_or(DVec3::X);
         let up = towards.cross(right);
         let Bounds { low, high } = survey.bounds;

@@ -81,5 +81,5 @@ fn solid_angle(triangle: &Triangle, point: DVec3) -> f64 {
     let [la, lb, lc] = [a.length(), b.length(), c.length()];
     let volume = a.dot(b.cross(c));
     let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    2.0 * volume.atan2(below)
+    2.0 * libm::atan2(volume, below)
 }

@@ -18,7 +18,7 @@ pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: 
     let after = |axis: usize| ((most(axis) - 0.5 - inset).floor() + 1.0).clamp(0.0, size[axis] as f64) as usize;
     let edges = [(a, b), (b, c), (c, a)].map(|(p, q)| {
         let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-        let length = dx.hypot(dy).max(1e-12);
+        let length = libm::hypot(dx, dy).max(1e-12);
         let [nx, ny] = [-dy / length, dx / length];
         [nx, ny, -(nx * p[0] + ny * p[1]) - inset]
     });
