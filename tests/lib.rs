@@ -1,6 +1,7 @@
 //! Code that several programs of this package share, compiled once: the examples of the reference's pages, and the examples
 //! of the package `cga` that tests run.
 
+#![allow(clippy::duplicate_mod, reason = "two examples have the same images")]
 #![allow(missing_docs, unreachable_pub, reason = "the package is not published, and each example has its title")]
 
 pub mod drawn;
