@@ -30,7 +30,7 @@ pub fn holes(survey: &Survey, looks: &[Look], open: &[&str]) -> Vec<Finding> {
             let mut parts: Vec<u32> = seen.iter().map(|(seen, _)| survey.triangles[*seen as usize].part).collect();
             parts.sort_unstable();
             parts.dedup();
-            if parts.iter().any(|part| open.contains(&survey.parts[*part as usize].rule)) {
+            if parts.iter().any(|part| open.contains(&survey.parts[*part as usize].rule.as_str())) {
                 continue;
             }
             parts.truncate(2);

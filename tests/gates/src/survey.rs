@@ -10,7 +10,7 @@ use cga_geometry::triangulate::Triangulator;
 /// A leaf of a model.
 #[derive(Clone, Debug)]
 pub struct Part {
-    pub rule: &'static str,
+    pub rule: String,
     /// The rules from the start rule to the leaf.
     pub trail: String,
     /// The number of its building.
@@ -66,7 +66,7 @@ impl Survey {
         let bounds = leaf.bounds();
         let material = leaf.material();
         let mut added = Part {
-            rule: leaf.rule(),
+            rule: leaf.rule().to_owned(),
             trail,
             building,
             closed: false,

@@ -20,6 +20,7 @@ use crate::output::near_origin::near_origin;
 use crate::run::building::Building;
 use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
 use crate::shape::scope::Scope;
+use crate::value::text::Text;
 
 /// A sink that passes leaves on to another one, with the corners of all leaves of an initial shape as corners of the edges that they lie
 /// in. Then neighbours have the same edges, and no pixel between them is left out. In faces as narrow as frames of windows, some points may
@@ -64,7 +65,7 @@ pub struct Watertight<S> {
 /// A leaf that waits for the other leaves of its initial shape.
 #[derive(Clone, Debug)]
 struct Held {
-    rule: &'static str,
+    rule: Text,
     material: Arc<Material>,
     scope: Scope,
     uvs: Vec<SetMap>,
@@ -82,7 +83,7 @@ enum HeldGeometry {
 
 impl Held {
     fn leaf(&self) -> Leaf<'_> {
-        Leaf::new(self.rule, &self.material, &self.scope).with_uvs(&self.uvs)
+        Leaf::new(&self.rule, &self.material, &self.scope).with_uvs(&self.uvs)
     }
 
     /// Calls `each` with the points of each loop of the faces, in the world.
@@ -154,7 +155,7 @@ impl<S: Sink> Watertight<S> {
     fn hold(&mut self, leaf: &Leaf<'_>, geometry: HeldGeometry) -> Flow {
         self.flow()?;
         self.held.push(Held {
-            rule: leaf.rule,
+            rule: leaf.rule.clone(),
             material: leaf.material.clone(),
             scope: leaf.scope(),
             uvs: leaf.uvs().to_vec(),

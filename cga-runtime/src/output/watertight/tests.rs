@@ -3,6 +3,7 @@ use glam::{DMat3, DVec2, DVec4};
 use super::*;
 use crate::geometry::uv_map::UvMap;
 use crate::output::model::Model;
+use crate::value::text::Text;
 
 fn wall([x, y]: [f64; 2], [width, height]: [f64; 2]) -> Quad {
     Quad::new(DVec3::new(x, y, 0.0), DVec3::X * width, DVec3::Y * height)
@@ -16,7 +17,7 @@ fn storeys() -> [Quad; 3] {
 fn with_leaf<R>(uvs: &[SetMap], then: impl FnOnce(Leaf<'_>) -> R) -> R {
     let (material, scope) =
         (Arc::new(Material::default()), Scope { origin: DVec3::ZERO, axes: glam::DMat3::IDENTITY, size: DVec3::ONE });
-    then(Leaf::new("Wall", &material, &scope).with_uvs(uvs))
+    then(Leaf::new(&Text::fixed("Wall"), &material, &scope).with_uvs(uvs))
 }
 
 /// The number of corners of each leaf.
