@@ -2,15 +2,16 @@
 //! a neighbour have no windows, shops face a street, and trees stand clear of houses.
 //!
 //! `cargo run --release --example district -- outlines.geojson` reads GeoJSON polygons in longitude and latitude. The property `start` is
-//! `Street` or `Garden`; other polygons are buildings. Without a path it uses a small sample of made-up outlines.
+//! `Street`, `Square` or `Garden`; other polygons are buildings. Without a path it uses a small sample of made-up outlines.
 
 use std::error::Error;
 use std::io::{IsTerminal, Write};
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::time::Instant;
 
 use cga::sink::picture::Picture;
-use cga::{Model, Scene, Settings, Shape, Sink, cga};
+use cga::{Model, RunError, Scene, Settings, Shape, cga};
 use serde_json::Value;
 
 cga! {
@@ -43,26 +44,28 @@ cga! {
 
     @StartRule
     Lot    --> case geometry.area < 60 : Build(3.2) else : Build(height)
-    Build(h) --> color(wall) Mass(h) t(0, h, 0) Top
+    // Eaves would reach into a neighbour at the same wall.
+    Build(h) --> color(wall) Mass(h) extrude(h) Topped(case neighbours && touches(inter) : 0 else : eaves)
+    Topped(overhang) --> set(trim.horizontal, false) set(trim.vertical, false) comp(f) { top : alignScopeToAxes(y) Top(overhang) }
     Mass(h) --> extrude(h) split(y) { ~1 : Body | cornice : Cornice }
     Body   --> comp(f) { side : Facade }
     Cornice --> color("#efe9dc") comp(f) { side : Cornice. }
 
     // Halls and sheds are flat, blocks with a courtyard have hips on both sides, and other houses hips or gables.
-    Top    --> case geometry.area > 4000 : Flat
-               case geometry.nHoles > 0 : Hip
+    Top(overhang) --> case geometry.area > 4000 : Flat
+               case geometry.nHoles > 0 : Hip(overhang)
                case geometry.area > 1500 || geometry.area < 60 : Flat
                case geometry.area < 140 : Shed
-               else : Pitched
-    Pitched --> 55% : Gable else : Hip
-    Hip    --> roofHip(slope, eaves) Planes
-    Gable  --> roofGable(slope, eaves, 0.3) Planes
+               else : Pitched(overhang)
+    Pitched(overhang) --> 55% : Gable(overhang) else : Hip(overhang)
+    Hip(overhang) --> roofHip(slope, overhang) Planes
+    Gable(overhang) --> roofGable(slope, overhang, max(0.02, overhang / 2)) Planes
     Shed   --> roofShed(rand(8, 14)) Planes
     Planes --> comp(f) { isTagged("roof.side") : Pediment | isTagged("roof.bottom") : NIL | all : Plane }
     Pediment --> case scope.sy < 3 : Wall.
                else : split(y) { 0.5 : Wall. | 2.2 : split(x) { ~1 : Wall. | { ~2.8 : Attic }* | ~1 : Wall. } | ~1 : Wall. }
     Attic  --> case geometry.isRectangular(3) && scope.sx > 2 : Bay(0.5, 1.4) else : Wall.
-    Plane  --> [ color(roof) extrude(-tiles) Tiles. ] Dormers
+    Plane  --> [ color(roof) t(0, 0, -tiles) extrude(tiles) Tiles. ] Dormers
 
     // Dormers stand in one row above the eaves, where the plane is long and high enough.
     Dormers --> case scope.sx > 6 && scope.sy > 4.5 && geometry.isRectangular(3) : DormerRow(1.5)
@@ -75,7 +78,7 @@ cga! {
                else : NIL
     DormerFront --> split(x) { ~1 : Wall. | 0.9 : split(y) { ~1 : Wall. | ^0.75 : Pane | ~1 : Wall. } | ~1 : Wall. }
     Pane   --> color(light) Glass.
-    DormerRoof --> color(roof) roofGable(35, 0.2, 0.2) comp(f) { isTagged("roof.bottom") : NIL | all : DormerTiles. }
+    DormerRoof --> color(roof) roofGable(35) DormerTiles.
 
     // A flat roof has a parapet and machines.
     Flat   --> offset(-0.4) comp(f) { inside : Terrace | border : Parapet }
@@ -99,7 +102,9 @@ cga! {
     Ground(selling) -->
                case selling && scope.sx > 5 : split(x) { 0.5 : Wall. | { ~3.4 : Shop | 0.4 : Wall. }* }
                else : split(x) { ~0.4 : Wall. | { ~2.8 : Bay(1.1, 2.0) }* | ~0.4 : Wall. }
-    Shop   --> split(y) { 3 : [ t(0, 0, -0.2) color("#39464d") Glass. ] NIL | ~1 : color("#6b4a3a") Sign. }
+    Shop   --> split(y) { 3 : Display | ~1 : color("#6b4a3a") Sign. }
+    Display --> [ t(0, 0, -0.2) color("#39464d") Glass. ]
+               set(trim.vertical, false) t(0, 0, -0.2) s(^1, ^1, 0.2) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Wall. }
     Floor  --> split(x) { ~0.4 : Wall. | { ~2.8 : Bay(0.85, 1.75) }* | ~0.4 : Wall. }
     Bay(sill, h) --> split(x) { ~1 : Wall. | 1.15 : Column(sill, h) | ~1 : Wall. }
     Column(sill, h) --> split(y) { sill : Wall. | h : Window | ~1 : Wall. }
@@ -110,6 +115,9 @@ cga! {
 
     @StartRule
     Street --> label("street") color("#62646a") Roadway.
+
+    @StartRule
+    Square --> t(0, -0.1, 0) color("#c6c0b4") Paving.
 
     // Trees that would grow into a house are left out.
     @StartRule
@@ -152,26 +160,12 @@ fn run() -> Result<(), Box<dyn Error>> {
         Some(path) => std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?,
         None => SAMPLE.to_owned(),
     };
-    let (footprints, mut skipped) = read(&text)?;
-
-    let mut lots = Vec::new();
-    for (number, footprint) in footprints.iter().enumerate() {
-        match footprint.lot(number) {
-            Ok(lot) => lots.push(lot),
-            Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
-        }
-    }
-
+    let (lots, mut skipped) = lots(&text)?;
     let begin = Instant::now();
-    let grammar = House { neighbours: true, ..House::default() };
-    let mut district = Model::new();
-    // Crowns reach further than a metre beyond their garden.
-    let report =
-        Scene::new(&grammar, &lots).occlusion_distance(4.0).generate_each(&Settings::default(), |at, model| {
-            progress(at + 1, lots.len());
-            skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", lots[at].name())));
-            model.replay(&mut district as &mut dyn Sink)
-        })?;
+    let (district, shapes) = derive(&lots, &Settings::default(), |at, model| {
+        progress(at + 1, lots.len());
+        skipped.extend(model.faults().iter().map(|fault| format!("{}: {fault}", lots[at].name())));
+    })?;
     let took = begin.elapsed();
 
     for line in &skipped {
@@ -179,10 +173,40 @@ fn run() -> Result<(), Box<dyn Error>> {
     }
     district.write_glb("district.glb")?;
     Picture::new(1200, 800).looking_from(25.0, 28.0).render(&district).write_png("district.png")?;
-    println!("{} outlines, {} reports, {} shapes", lots.len(), skipped.len(), report.shapes);
+    println!("{} outlines, {} reports, {} shapes", lots.len(), skipped.len(), shapes);
     println!("{} triangles in {:.2} s", district.triangle_count(), took.as_secs_f64());
     println!("wrote district.glb and district.png");
     Ok(())
+}
+
+/// The initial shapes of a GeoJSON file, and a line for each feature without one.
+pub(crate) fn lots(text: &str) -> Result<(Vec<Shape>, Vec<String>), Box<dyn Error>> {
+    let (footprints, mut skipped) = read(text)?;
+    let mut lots = Vec::new();
+    for (number, footprint) in footprints.iter().enumerate() {
+        match footprint.lot(number) {
+            Ok(lot) => lots.push(lot),
+            Err(error) => skipped.push(format!("{}: skipped: {error}", footprint.label)),
+        }
+    }
+    Ok((lots, skipped))
+}
+
+/// The district on its lots, and the number of shapes. `each` gets the number and the model of each lot.
+pub(crate) fn derive(
+    lots: &[Shape],
+    settings: &Settings,
+    mut each: impl FnMut(usize, &Model) + Send,
+) -> Result<(Model, u64), RunError> {
+    let grammar = House { neighbours: true, ..House::default() };
+    let mut district = Model::new();
+    // Crowns reach further than a metre beyond their garden.
+    let report = Scene::new(&grammar, lots).occlusion_distance(4.0).generate_each(settings, |at, model| {
+        each(at, &model);
+        district.append(&model);
+        ControlFlow::Continue(())
+    })?;
+    Ok((district, report.shapes))
 }
 
 fn progress(done: usize, all: usize) {
@@ -205,6 +229,7 @@ pub(crate) fn read(text: &str) -> Result<(Vec<Footprint>, Vec<String>), Box<dyn 
         let start = match feature["properties"]["start"].as_str() {
             Some("Street") => "Street",
             Some("Garden") => "Garden",
+            Some("Square") => "Square",
             _ => "Lot",
         };
         let geometry = &feature["geometry"];
@@ -271,7 +296,7 @@ fn project(footprints: &mut [Footprint]) {
     }
 }
 
-/// Made-up buildings, one with a courtyard and some in a row, a street and gardens, and two features that cannot be built.
+/// Made-up buildings, one with a courtyard and some in a row, a street, gardens and a square below them, and two features that cannot be built.
 pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0000, 50.0000], [10.0006, 50.0000], [10.0006, 50.0004], [10.0000, 50.0004], [10.0000, 50.0000]],
@@ -304,6 +329,8 @@ pub(crate) const SAMPLE: &str = r#"{ "type": "FeatureCollection", "features": [
         [[10.00076, 49.99968], [10.00095, 49.99968], [10.00095, 49.99981], [10.00076, 49.99981], [10.00076, 49.99968]] ] } },
     { "type": "Feature", "properties": { "start": "Garden" }, "geometry": { "type": "Polygon", "coordinates": [
         [[10.00000, 49.99982], [10.00130, 49.99982], [10.00130, 49.99997], [10.00000, 49.99997], [10.00000, 49.99982]] ] } },
+    { "type": "Feature", "properties": { "start": "Square" }, "geometry": { "type": "Polygon", "coordinates": [
+        [[9.99985, 49.99950], [10.00145, 49.99950], [10.00145, 50.00070], [9.99985, 50.00070], [9.99985, 49.99950]] ] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Point", "coordinates": [10.0, 50.0] } },
     { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [
         [[10.0, 50.0], [10.001, 50.0], [10.0, 50.0]] ] } }

@@ -16,7 +16,7 @@ mod sheet;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     for (path, cells) in [("docs/cutting.png", cutting::cells()?), ("docs/offset.png", offset::cells()?)] {
-        sheet::draw(&cells, 2).write_png(path)?;
+        sheet::draw(&cells, 2).write_indexed_png(path)?;
         println!("wrote {path}");
     }
     parts::draw("cga-geometry/puzzle.png")?;

@@ -5,7 +5,7 @@
 use std::error::Error;
 
 use cga::sink::picture::Picture;
-use cga::{Model, Settings, Shape, Sink, cga};
+use cga::{Model, Settings, Shape, cga};
 
 cga! {
     /// Ten ways to fill a lot, one for each start rule.
@@ -55,7 +55,7 @@ cga! {
     @StartRule
     Hall --> Lot offset(-margin, inside) inline { Naves } color("#d8cdbb") Hall.
     Naves --> split(x) { { ~11 : Nave }* }
-    Nave --> extrude(9) comp(f) { side : Wall. | top : roofGable(38, 0.6, 0.4) Roof. }
+    Nave --> extrude(9) comp(f) { side : Wall. | top : roofGable(38) Roof. }
 
     /// A shaft whose slices turn and shrink; they are joined at the points that they had in common.
     @StartRule
@@ -67,7 +67,7 @@ cga! {
     @StartRule
     Row --> Lot offset(-margin, inside)
             splitAndSetbackPerimeter(0) { ~9 : rand(8, 11) : House(rand(9, 16)) }* { remainder : Garden(6) }
-    House(height) --> color(front) extrude(height) comp(f) { side : Front. | top : color(tiles) roofHip(24, 0.3) Roof. }
+    House(height) --> color(front) extrude(height) comp(f) { side : Front. | top : color(tiles) roofHip(24) Roof. }
     front = 30% : "#e6d3b1" 25% : "#c9d1c8" 25% : "#d9b8a0" else : "#eadfca"
 
     /// A pavilion between trees that gather around it.
@@ -80,13 +80,13 @@ cga! {
     @StartRule
     Market --> Lot scatter(surface, 38, uniform) { r(0, rand(360), 0) Stall } NIL
     Stall --> s(2.2, 2.1, 2.8) primitiveCube center(xz)
-              comp(f) { top : color(awning) roofGable(30, 0.5, 0.3) Awning. | side : Side. }
+              comp(f) { top : s(^1.3, ^1.3, 0) center(xy) color(awning) roofGable(30) Awning. | side : Side. }
     awning = 30% : "#b5483c" 30% : "#d9a441" 20% : "#4b7a8c" else : "#f2efe6"
 
     // The ground of a lot.
     Lot    --> t(0, -0.3, 0) extrude(0.3) color("#cfc9bd") Ground.
     Lawn   --> t(0, 0.05, 0) color(lawn) Lawn.
-    Garden(trees) --> Lawn scatter(surface, trees, uniform) { Tree }
+    Garden(trees) --> Lawn offset(-2, inside) scatter(surface, trees, uniform) { Tree }
     Tree   --> Trunk t(0, 1.6, 0) Crown(rand(2, 3.6))
     Trunk  --> s(0.35, 2, 0.35) primitiveCylinder(8) center(xz) color("#6b5138") Trunk.
     Crown(size) --> s(size, size * 1.25, size) primitiveSphere(10, 7) center(xz) color(leaves) Crown.
@@ -110,17 +110,21 @@ pub(crate) fn lots() -> impl Iterator<Item = (&'static str, Shape)> {
     })
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+/// The building on each lot, with the name of its start rule.
+pub(crate) fn models(settings: &Settings) -> Result<Vec<(&'static str, Model)>, cga::Error> {
     let grammar = Massing::default();
+    let made = lots().map(|(start, lot)| Ok((start, grammar.generate_with(&lot.start(start), settings)?)));
+    made.collect()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
     let mut model = Model::new();
-    for (start, lot) in lots() {
-        let settings = Settings { start: Some(start.to_owned()), ..Settings::default() };
-        let made = grammar.generate_with(&lot, &settings)?;
+    for (start, made) in models(&Settings::default())? {
         for fault in made.faults() {
             println!("{start}: {fault}");
         }
         println!("{start}: {} parts, {:.0} m³", made.leaves().len(), made.volume());
-        let _ = made.replay(&mut model as &mut dyn Sink);
+        model.append(&made);
     }
     Picture::new(1600, 1000).looking_from(-28.0, 32.0).render(&model).write_png("massing.png")?;
     model.write_glb("massing.glb")?;

@@ -9,9 +9,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 14] = [
+const BENCHES: [(&str, &str, &[&str]); 15] = [
     ("cga", "rules", &[]),
     ("cga", "queries", &[]),
+    ("cga-tests", "city", &[]),
     ("cga", "files", &[]),
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),

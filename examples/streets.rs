@@ -10,7 +10,7 @@ use std::time::Instant;
 
 use cga::sink::picture::Picture;
 use cga::street::{Centerline, Network, NetworkOptions};
-use cga::{Model, Sink, cga};
+use cga::{Model, Settings, cga};
 use serde_json::Value;
 
 cga! {
@@ -52,9 +52,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let mut streets = Model::new();
     for part in network.parts() {
-        let model = Streets::default().generate_from(part.start_rule(), &part.shape())?;
+        let lot = part.shape().start(part.start_rule());
+        streets.append(&Streets::default().generate_with(&lot, &Settings::default())?);
         *counts.entry(part.start_rule()).or_default() += 1;
-        let _ = model.replay(&mut streets as &mut dyn Sink);
     }
     println!("{} lines in {:.1} ms, {} triangles", lines.len(), laid_out.as_secs_f64() * 1e3, streets.triangle_count());
     for (rule, count) in counts {

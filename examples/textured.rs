@@ -12,7 +12,7 @@ use std::path::Path;
 
 use cga::sink::picture::{Image, Picture};
 use cga::street::{Centerline, Network, NetworkOptions, StreetError};
-use cga::{Assets, Model, Settings, Shape, Sink, cga};
+use cga::{Assets, Model, Settings, Shape, cga};
 
 use images::{bricks, grain, shop, slabs, tiles, window};
 
@@ -78,25 +78,27 @@ pub(crate) fn network() -> Result<Network, StreetError> {
     Network::new(&lines, &NetworkOptions::default())
 }
 
+/// The tower and the streets.
+pub(crate) fn model(settings: &Settings) -> Result<Model, Box<dyn Error>> {
+    let mut scene = Model::new().with_assets(settings.assets.clone());
+    let mut add = |model: Model| {
+        model.faults().iter().for_each(|fault| eprintln!("fault: {fault}"));
+        scene.append(&model);
+    };
+    add(Tower::default().generate_with(&lot()?, settings)?);
+    for part in network()?.parts() {
+        add(Streets::default().generate_with(&part.shape().start(part.start_rule()), settings)?);
+    }
+    Ok(scene)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("out/textured");
     std::fs::create_dir_all(folder)?;
     for (name, image) in images() {
         image.write_png(folder.join(name))?;
     }
-    let mut settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
-    let mut scene = Model::new().with_assets(settings.assets.clone());
-    let mut add = |model: Model| {
-        model.faults().iter().for_each(|fault| eprintln!("fault: {fault}"));
-        let _ = model.replay(&mut scene as &mut dyn Sink);
-    };
-
-    add(Tower::default().generate_with(&lot()?, &settings)?);
-    for part in network()?.parts() {
-        settings.start = Some(part.start_rule().to_owned());
-        add(Streets::default().generate_with(&part.shape(), &settings)?);
-    }
-
+    let scene = model(&Settings { assets: Assets::below(folder).into(), ..Settings::default() })?;
     scene.write_glb("textured.glb")?;
     Picture::new(1600, 1200).looking_from(26.0, 22.0).render(&scene).write_png("textured.png")?;
     println!("{} triangles; wrote textured.glb and textured.png", scene.triangle_count());

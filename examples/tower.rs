@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::time::Instant;
 
-use cga::{Settings, Shape, cga};
+use cga::{Model, Settings, Shape, cga};
 
 cga! {
     /// An office tower on a podium. Every storey is a slab of the mass, and every window has frames and set-back
@@ -72,10 +72,14 @@ pub(crate) fn lot() -> Result<Shape, cga::Error> {
     Ok(Shape::footprint(&outline, &[])?.seed(7))
 }
 
+/// The tower on its lot.
+pub(crate) fn model(settings: &Settings) -> Result<Model, cga::Error> {
+    Tower::default().generate_with(&lot()?, settings)
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let (tower, lot) = (Tower::default(), lot()?);
     let begin = Instant::now();
-    let model = tower.generate_with(&lot, &Settings::default())?;
+    let model = model(&Settings::default())?;
     let took = begin.elapsed();
 
     for fault in model.faults() {

@@ -34,7 +34,7 @@ impl FileKind {
 
 /// The result of a run: the model of a lot, or the models of all lots of a file.
 pub(crate) enum Output {
-    One(Model),
+    One(Box<Model>),
     Many(Batches<Model>),
 }
 

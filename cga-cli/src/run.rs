@@ -99,7 +99,7 @@ pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
 fn derive(rules: &RuleFile, lots: &[Shape], settings: &Settings) -> Result<Output, String> {
     let named = |error: Error| error.to_string();
     match lots {
-        [lot] => rules.generate_with(lot, settings).map(Output::One).map_err(named),
+        [lot] => rules.generate_with(lot, settings).map(|model| Output::One(Box::new(model))).map_err(named),
         lots => Scene::new(rules, lots).generate(settings).map(Output::Many).map_err(|error| error.to_string()),
     }
 }

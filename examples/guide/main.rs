@@ -19,7 +19,7 @@ use std::error::Error;
 use std::path::Path;
 
 use cga::sink::picture::Picture;
-use cga::{Assets, Grammar, Model, Settings, Shape, Sink};
+use cga::{Assets, Grammar, Model, Settings, Shape};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("out/guide");
@@ -27,10 +27,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     images::bricks().write_png(folder.join("bricks.png"))?;
     images::tiles().write_png(folder.join("tiles.png"))?;
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
+    for step in 1..=STEPS {
+        write(step, &model(step, &settings)?)?;
+    }
+    println!("wrote the pictures of docs/guide");
+    Ok(())
+}
 
-    let lot = Shape::rectangle(11.0, 8.0);
+/// The number of steps.
+pub(crate) const STEPS: usize = 10;
+
+/// The model of a step, from 1 on.
+pub(crate) fn model(step: usize, settings: &Settings) -> Result<Model, cga::Error> {
     let higher = step_03::House { storeys: 4.0 };
-    let steps: [&dyn Grammar; 9] = [
+    let houses: [&dyn Grammar; STEPS - 1] = [
         &step_01::House::default(),
         &step_02::House::default(),
         &higher,
@@ -41,22 +51,20 @@ fn main() -> Result<(), Box<dyn Error>> {
         &step_08::House::default(),
         &step_09::House::default(),
     ];
-    for (number, grammar) in (1..).zip(steps) {
-        write(number, &grammar.generate_with(&lot, &settings)?)?;
+    match houses.get(step - 1) {
+        Some(house) => house.generate_with(&Shape::rectangle(11.0, 8.0), settings),
+        None => street(settings),
     }
-    write(10, &street(&settings)?)?;
-    println!("wrote the pictures of docs/guide");
-    Ok(())
 }
 
 /// A row of houses on lots of several widths, each with a seed of its own.
-fn street(settings: &Settings) -> Result<Model, Box<dyn Error>> {
+fn street(settings: &Settings) -> Result<Model, cga::Error> {
     let mut street = Model::new().with_assets(settings.assets.clone());
     let mut x = 0.0;
     for (seed, width) in (1..).zip([9.0, 7.0, 11.0, 8.0, 10.0, 7.5]) {
         let house = step_10::House::default();
         let model = house.generate_with(&Shape::rectangle(width, 8.0).at([x, 0.0, 0.0]).seed(seed), settings)?;
-        let _ = model.replay(&mut street as &mut dyn Sink);
+        street.append(&model);
         x += width + 2.5;
     }
     Ok(street)
@@ -67,6 +75,6 @@ fn write(step: usize, model: &Model) -> Result<(), Box<dyn Error>> {
     // The street is long.
     let (width, height) = if step == 10 { (1200, 560) } else { (900, 620) };
     let picture = Picture::new(width, height).looking_from(28.0, 16.0);
-    picture.render(model).write_png(format!("docs/guide/step-{step:02}.png"))?;
+    picture.render(model).write_indexed_png(format!("docs/guide/step-{step:02}.png"))?;
     Ok(())
 }

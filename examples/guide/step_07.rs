@@ -18,7 +18,7 @@ cga! {
         case hasDoor : split(x) { ~1 : Storey | 1.5 : Entrance | ~1 : Storey }
         else         : Storey
     Entrance --> split(y) { 2.3 : Door | ~1 : Wall }
-    Door    --> [ t(0, -0.5, 0) s(^1, 0.5, ^1) color("#8d8a83") extrude(0.7) Step. ] t(0, 0, -0.15) color("#3f5f4a") Door.
+    Door    --> [ t(0, -0.5, 0) s(^1, 0.5, ^1) color("#8d8a83") extrude(0.7) Step. ] offset(-0.08) comp(f) { inside : t(0, 0, -0.12) color("#3f5f4a") Door. | border : Frame }
     Storey  --> split(x) { 0.5 : Wall | { ~2.4 : Bay }* | 0.5 : Wall }
     Bay     --> split(x) { ~1 : Wall | 1.1 : Column | ~1 : Wall }
     Column  --> split(y) { 0.8 : Wall | 1.5 : Window | ~1 : Wall }

@@ -27,7 +27,7 @@ cga! {
         case hasDoor : split(x) { ~1 : Storey | 1.5 : Entrance | ~1 : Storey }
         else         : Storey
     Entrance --> split(y) { 2.3 : Door | ~1 : Wall }
-    Door    --> [ t(0, -0.5, 0) s(^1, 0.5, ^1) color("#8d8a83") extrude(0.7) Step. ] t(0, 0, -0.15) Paint
+    Door    --> [ t(0, -0.5, 0) s(^1, 0.5, ^1) color("#8d8a83") extrude(0.7) Step. ] offset(-0.08) comp(f) { inside : t(0, 0, -0.12) Paint | border : Frame }
     Paint   --> 50% : color("#3f5f4a") Door. else : color("#7a2e2a") Door.
     Storey  --> split(x) { 0.5 : Wall | { ~2.4 : Bay }* | 0.5 : Wall }
     Bay     --> split(x) { ~1 : Wall | 1.1 : Column | ~1 : Wall }
@@ -40,5 +40,5 @@ cga! {
     Cornice --> s(scope.sx + 0.4, ^1, scope.sz + 0.4) center(xz) color("#f6f0e4") comp(f) { top : Roof | all : Cornice. }
     Roof    --> roofGable(slope, 0.5, 0.4) comp(f) { isTagged("roof.side") : Gable | isTagged("roof.bottom") : NIL | all : Plane }
     Gable   --> setupProjection(0, scope.xy, 1.6, 1.6) Wall
-    Plane   --> setupProjection(0, scope.xy, 2.4, 2.4) texture("tiles.png") projectUV(0) Tiles.
+    Plane   --> extrude(0.12) setupProjection(0, scope.xy, 2.4, 2.4) texture("tiles.png") projectUV(0) Tiles.
 }

@@ -44,7 +44,7 @@ cga! {
 
     @StartRule
     Lot     --> split(x) { bank : Bank | ~1 : Water | bank : Bank }
-                s(^1, 0, width) center(z) Bridge
+                s(scope.sx - 0.1, 0, width) center(xz) Bridge
     Water   --> t(0, -bed, 0) extrude(bed - 0.4) color(water) set(material.roughness, 0.12) Water.
     Bank    --> [ t(0, -bed, 0) extrude(bed + 1) color("#8ba567") Bank. ]
                 t(0, 1, 0) split(z) { ^0.3 : Grove | ~1 : NIL | ^0.3 : Grove }
@@ -59,7 +59,7 @@ cga! {
 
     // A span is a block minus a cylinder across it; a ring of cut stones marks the arch on both sides.
     Arch    --> [ subtract { t(0, springing, 0) extrude(road - springing) | Tube(0) } color(stone) Spandrel. ]
-                s(^1, 0, scope.sz + 0.3) center(z) subtract { Tube(ring) | Tube(0) }
+                s(^1, 0, scope.sz + 0.3) center(z) subtract { Tube(ring) | Tube(-0.06) }
                 alignScopeToAxes(y) split(y) { ^0.5 : NIL | ~1 : color(trim) Voussoirs. }
     // An elliptic cylinder across the bridge, wider than the arch by a margin.
     Tube(margin) --> t(-margin, springing - arch - margin, 0)
@@ -69,7 +69,7 @@ cga! {
     // A pier with round cutwaters, which divide the stream, below pilasters.
     Pier    --> [ t(0, -bed, 0) extrude(road + bed) color(stone) Pier. ]
                 s(^1, 0, scope.sz + pier) center(z) split(z) { pier : Cutwater | ~1 : NIL | pier : Cutwater }
-    Cutwater --> color(trim) [ t(0, -bed, 0) s(^1, springing + bed, ^1) primitiveCylinder(20) Cutwater. ]
+    Cutwater --> color(trim) s(^0.96, ^1, ^0.96) center(xz) [ t(0, -bed, 0) s(^1, springing + bed, ^1) primitiveCylinder(20) Cutwater. ]
                 [ t(0, springing, 0) s(^1, 1.2, ^1) primitiveCone(20) Cap. ]
                 s(^0.44, 0, ^0.56) center(xz) extrude(road) Pilaster.
 
@@ -81,8 +81,8 @@ cga! {
                 t(0, 0.15, 0) split(x) { ~lamps / 2 : NIL | { 0.2 : Lamp | ~lamps : NIL }* | 0.2 : Lamp | ~lamps / 2 : NIL }
     Lamp    --> color("#3b4245") [ s(0.16, 4, 0.16) center(xz) primitiveCylinder(8) Pole. ]
                 t(0, 4, 0) s(0.55, 0.6, 0.55) center(xz) primitiveSphere(10, 8) color("#fbeecb") Light.
-    Road    --> [ color("#6f7073") Asphalt. ]
-                t(0, 0.02, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
+    Road    --> [ color("#6f7073") extrude(0.05) Asphalt. ]
+                t(0, 0.07, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
 }
 
 pub fn scene() -> Scene {

@@ -61,10 +61,11 @@ cga! {
     Floor(tint) --> split(x) { ~0.7 : Wall. | { ~0.6 : Wall. | 1.1 : Opening(tint) | ~0.6 : Wall. }* | ~0.7 : Wall. }
     Opening(tint) --> split(y) { 0.85 : Wall. | 1.75 : Window(tint) | ~1 : Wall. }
     Window(tint) --> [ t(0, -0.12, 0) s(scope.sx + 0.3, 0.12, 0) center(x) extrude(0.18) color("#f1e9da") Sill. ]
-                [ Shutters(tint) ]
+                [ Shutters(tint) ] [ Recess(0.2) ]
                 t(0, 0, -0.2) split(x) { 0.08 : Frame | ~1 : Pane | 0.06 : Frame | ~1 : Pane | 0.08 : Frame }
     Shutters(tint) --> color(tint) s(scope.sx + 1, ^1, 0) center(x)
                 split(x) { 0.48 : extrude(0.06) Shutter. | ~1 : NIL | 0.48 : extrude(0.06) Shutter. }
+    Recess(deep) --> set(trim.vertical, false) t(0, 0, -deep) s(^1, ^1, deep) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Frame   --> color("#f6f1e6") extrude(0.08) Frame.
     Pane    --> color("#5a7381") set(material.roughness, 0.1) Glass.
 
@@ -73,10 +74,10 @@ cga! {
                 26% : split(x) { ~1 : Pier | 1.5 : Door | ~1 : Pier }
                 else : Floor(shutter)
     Pier    --> color("#d8cdb9") extrude(0.1) Pier.
-    Display --> split(y) { 0.5 : Pier | ~1 : t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
+    Display --> split(y) { 0.5 : Pier | ~1 : [ Recess(0.25) ] t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
     Awning  --> color(awning) roofShed(20) Awning.
     awning = 40% : "#a8473c" 30% : "#3f6b62" else : "#d8b15a"
-    Door    --> split(y) { 2.6 : t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
+    Door    --> split(y) { 0.1 : Pier | 2.5 : [ Recess(0.25) ] t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
 
     // Gravel along the walls, grass in the middle.
     Court   --> [ extrude(0.1) color("#d3c8b1") Gravel. ]

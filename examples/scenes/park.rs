@@ -44,7 +44,7 @@ cga! {
                 else : [ s(length, 0, width) center(xz) r(scopeCenter, 0, 180 * n / paths + 15, 0) primitiveQuad Way. ] Path(length, n - 1)
 
     // Each piece of lawn has a kerb and trees that keep away from it.
-    Lawn    --> alignScopeToAxes(y) [ extrude(0.22) color(grass) Lawn. ] [ offset(-0.25, border) extrude(0.28) color("#b9ad97") Kerb. ]
+    Lawn    --> alignScopeToAxes(y) [ offset(-0.25) comp(f) { border : extrude(0.28) color("#b9ad97") Kerb. | inside : extrude(0.22) color(grass) Lawn. } ]
                 t(0, 0.22, 0) Planted
     Planted --> case geometry.area < 60 : NIL
                 else : [ offset(-3.5, inside) scatter(surface, ceil(density * geometry.area / 100), uniform) { Tree(rand(0.7, 1.2)) } ]
@@ -67,7 +67,7 @@ cga! {
     Middle  --> s(2 * square, 0, 2 * square) center(xz)
                 [ s(^0.62, 0, ^0.62) center(xz) primitiveDisk(48) Pond ]
                 s(^0.84, 0, ^0.84) center(xz) primitiveDisk(24) comp(e) { all : Around(comp.index) }
-    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) Water. ] [ offset(0.6, border) extrude(0.5) color("#cfc3ad") Rim. ]
+    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) Water. ] [ offset(0.6, border) reverseNormals extrude(0.5) color("#cfc3ad") Rim. ]
                 [ s(5, 0.7, 5) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]
                 [ s(0.8, 2.4, 0.8) center(xz) primitiveCylinder(12) color("#cfc3ad") Stem. ]
                 [ t(0, 2.4, 0) s(2.6, 0.35, 2.6) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]

@@ -59,10 +59,18 @@ impl Scene {
     /// # Errors
     /// The first error of a run.
     pub fn model(&self) -> Result<Model, Error> {
+        self.model_with(&Settings::default())
+    }
+
+    /// The result of the rules for all shapes, with those settings.
+    ///
+    /// # Errors
+    /// The first error of a run.
+    pub fn model_with(&self, settings: &Settings) -> Result<Model, Error> {
         let lots: Vec<Shape> = self.shapes.iter().map(|start| start.shape.clone().start(start.rule)).collect();
         let mut model = Model::new();
         cga::Scene::new(&*self.grammar, &lots)
-            .generate_each(&Settings::default(), |_, one| {
+            .generate_each(settings, |_, one| {
                 model.append(&one);
                 Flow::Continue(())
             })

@@ -81,10 +81,9 @@ cga! {
                 t(0, 5.5, 0) s(0.6, 0.35, 0.6) center(xz) primitiveSphere(10, 6) color("#fbeecb") Light.
 
     @StartRule
-    Row     --> split(x) { { ~13 : House }* }
-    House   --> color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
+    House   --> t(0, kerb, 0) color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
     Storeys(n, roof) --> [ extrude(4 + 3.1 * n) label("house") comp(f) { bottom : NIL | top : Roof(roof) | all : Side } ]
-    Roof(tint) --> color(tint) roofGable(38, 0, 0.5, true, 0) Roof.
+    Roof(tint) --> roofGable(38, 0.5, 0, true, 0) label("house") comp(f) { isTagged("roof.side") : Wall. | all : color(tint) Roof. }
     // A side faces a street if three metres ahead are nearer to it.
     Side    --> Ahead(toStreet)
     Ahead(before) --> t(0, 0, 3) Back(before < 12 && toStreet < before - 0.9)
@@ -93,58 +92,105 @@ cga! {
     Front   --> split(y) { 3.6 : Shops | 0.4 : Band | { ~3.1 : Floor }* | 0.3 : Band }
     Band    --> color("#efe8d8") extrude(0.2) Band.
     Shops   --> split(x) { 0.4 : Wall. | { ~3.6 : Shop | 0.4 : Wall. }* }
-    Shop    --> [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
+    Shop    --> split(y) { 0.3 : Wall. | ~1 : Display }
+    Display --> [ Recess(0.3) ] [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
                 t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube
                 split(z) { 0.15 : Sign. | ~1 : split(y) { 0.1 : Awning. | ~1 : NIL } }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Floor   --> split(x) { { ~2.7 : Bay }* }
     // A wall that touches the neighbour has no window.
-    Bay     --> case touches(intra) : Wall.
+    Bay     --> case touches(inter, "house") : Wall.
                 else : split(x) { ~1 : Wall. | 1.1 : split(y) { 0.8 : Wall. | ~1 : Window | 0.5 : Wall. } | ~1 : Wall. }
-    Window  --> offset(-0.09)
-                comp(f) { border : color("#f6f1e6") extrude(0.06) Frame. | inside : t(0, 0, -0.12) color("#5d7888") set(material.roughness, 0.1) Glass. }
+    Window  --> [ Recess(0.12) ] offset(-0.09)
+                comp(f) { border : t(0, 0, -0.12) color("#f6f1e6") extrude(0.08) Frame. | inside : t(0, 0, -0.12) color("#5d7888") set(material.roughness, 0.1) Glass. }
 
-    /// A small park.
+    // The ground of a block, as high as the sidewalks around it.
     @StartRule
-    Green   --> [ extrude(kerb) color("#8dab66") Lawn. ]
+    Yard    --> extrude(kerb - 0.01) color(paving) Yard.
+    @StartRule
+    Green   --> [ extrude(kerb - 0.03) color("#8dab66") Lawn. ]
                 t(0, kerb, 0) offset(-3, inside) scatter(surface, 16, uniform) { Tree }
 }
 
-/// A strip of land to the left of the line between two points.
-fn strip(from: [f64; 2], to: [f64; 2], depth: f64) -> Shape {
+/// A line on the ground.
+type Line = [[f64; 2]; 2];
+
+/// The line to the left of another one, at a distance in metres.
+fn left([from, to]: Line, distance: f64) -> Line {
     let [x, z] = [to[0] - from[0], to[1] - from[1]];
-    let back = depth / (x * x + z * z).sqrt();
-    let left = |[a, b]: [f64; 2]| [a + z * back, b - x * back];
-    Shape::footprint(&[from, to, left(to), left(from)], &[]).expect("a rectangle")
+    let by = distance / (x * x + z * z).sqrt();
+    [from, to].map(|[a, b]| [a + z * by, b - x * by])
+}
+
+/// The point of a line at a coordinate: 0 for x, 1 for z.
+fn at([from, to]: Line, axis: usize, value: f64) -> [f64; 2] {
+    let share = (value - from[axis]) / (to[axis] - from[axis]);
+    [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]))
+}
+
+/// The point in which two lines meet.
+fn meet(a: Line, b: Line) -> [f64; 2] {
+    let [[ux, uz], [vx, vz]] = [a, b].map(|[from, to]| [to[0] - from[0], to[1] - from[1]]);
+    let share = ((b[0][0] - a[0][0]) * vz - (b[0][1] - a[0][1]) * vx) / (ux * vz - uz * vx);
+    [a[0][0] + share * ux, a[0][1] + share * uz]
+}
+
+/// Lots of about 13 m along a line, to its left.
+fn row(from: [f64; 2], to: [f64; 2]) -> Vec<Shape> {
+    let count = ((to[0] - from[0]) / 13.0).round();
+    let along = |number: f64| [0, 1].map(|axis| from[axis] + number / count * (to[axis] - from[axis]));
+    let lot = |number: usize| {
+        let front = [along(number as f64), along(number as f64 + 1.0)];
+        let back = left(front, 13.0);
+        Shape::footprint(&[front[0], front[1], back[1], back[0]], &[]).expect("a rectangle")
+    };
+    (0..count as usize).map(lot).collect()
 }
 
 pub fn scene() -> Scene {
+    let (west, east): (Line, Line) = ([[-70.0, 4.0], [0.0, 0.0]], [[0.0, 0.0], [75.0, -4.0]]);
+    let (south, north): (Line, Line) = ([[6.0, 60.0], [0.0, 0.0]], [[0.0, 0.0], [-10.0, -60.0]]);
+    let lane: Line = [[38.0, -2.0], [44.0, -60.0]];
     let lines = [
-        Centerline::new(&[[-70.0, 4.0], [0.0, 0.0], [75.0, -4.0]]).roadway(12.0).sidewalks(4.0, 4.0),
-        Centerline::new(&[[6.0, 60.0], [0.0, 0.0], [-10.0, -60.0]]).roadway(8.0).sidewalks(3.0, 3.0),
-        Centerline::new(&[[38.0, -2.0], [44.0, -60.0]]).roadway(7.0).sidewalks(3.0, 3.0),
+        Centerline::new(&[west[0], west[1], east[1]]).roadway(12.0).sidewalks(4.0, 4.0),
+        Centerline::new(&[south[0], south[1], north[1]]).roadway(8.0).sidewalks(3.0, 3.0),
+        Centerline::new(&lane).roadway(7.0).sidewalks(3.0, 3.0),
     ];
     let network = Network::new(&lines, &NetworkOptions::default()).expect("a network");
     let parts = network.parts().iter().zip(1..);
     let streets = parts.map(|(part, seed)| Start::new(part.start_rule(), part.shape().seed(seed)));
-    let rows = [
-        strip([-68.0, -6.6], [-11.0, -9.9], 13.0),
-        strip([6.0, -10.6], [31.8, -12.0], 13.0),
-        strip([47.4, -12.8], [74.0, -14.3], 13.0),
+
+    // The blocks reach to the sidewalks, two centimetres below them.
+    let [left_west, left_east] = [west, east].map(|line| left(line, 9.98));
+    let [right_west, right_east] = [west, east].map(|line| left(line, -9.98));
+    let [[north_left, north_right], [south_left, south_right]] =
+        [north, south].map(|line| [left(line, 6.98), left(line, -6.98)]);
+    let [lane_left, lane_right] = [left(lane, 6.48), left(lane, -6.48)];
+    let outline = |points: [[f64; 2]; 4]| Shape::footprint(&points, &[]).expect("an outline");
+    let yards = [
+        [at(left_west, 0, -70.0), meet(left_west, north_left), at(north_left, 1, -58.0), [-70.0, -58.0]],
+        [meet(left_east, north_right), meet(left_east, lane_left), at(lane_left, 1, -58.0), at(north_right, 1, -58.0)],
+        [meet(left_east, lane_right), at(left_east, 0, 75.0), [75.0, -58.0], at(lane_right, 1, -58.0)],
     ];
-    let rows = rows.into_iter().zip(11..).map(|(row, seed)| Start::new("Row", row.seed(seed)));
+    let yards = yards.map(|yard| Start::new("Yard", outline(yard)));
+    let houses = [
+        row(at(left_west, 0, -69.0), at(left_west, 0, -10.5)),
+        row(at(left_east, 0, 7.0), at(left_east, 0, 31.4)),
+        row(at(left_east, 0, 47.6), at(left_east, 0, 74.0)),
+    ];
+    let houses = houses.into_iter().flatten().zip(11..).map(|(lot, seed)| Start::new("House", lot.seed(seed)));
     let greens = [
-        Shape::footprint(&[[-5.6, 10.5], [-66.0, 13.8], [-66.0, 42.0], [-3.0, 42.0]], &[]),
-        Shape::footprint(&[[70.0, 6.4], [8.2, 9.8], [11.6, 42.0], [70.0, 42.0]], &[]),
+        [meet(right_west, south_left), at(right_west, 0, -66.0), [-66.0, 42.0], at(south_left, 1, 42.0)],
+        [at(right_east, 0, 70.0), meet(right_east, south_right), at(south_right, 1, 42.0), [70.0, 42.0]],
     ];
-    let greens =
-        greens.into_iter().zip(21..).map(|(green, seed)| Start::new("Green", green.expect("a park").seed(seed)));
+    let greens = greens.into_iter().zip(21..).map(|(green, seed)| Start::new("Green", outline(green).seed(seed)));
     Scene {
         name: "street",
         title: "Street with junctions",
         sentence: "The library lays out roadways, sidewalks and junctions from three centre lines; rules with CityEngine's names furnish them. Shops face a street, and walls between houses have no windows.",
         rules: grammar_text(include_str!("street.rs")),
         grammar: Box::new(Streets::default()),
-        shapes: streets.chain(rows).chain(greens).collect(),
+        shapes: streets.chain(houses).chain(yards).chain(greens).collect(),
         view: View {
             azimuth: 18.0,
             elevation: 27.0,

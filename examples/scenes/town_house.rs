@@ -41,19 +41,20 @@ cga! {
     Pavement --> split(x) { { ~0.9 : Slab }* }
     Slab    --> color(paving) extrude(0.1) Slab.
     Yard    --> extrude(0.12) color("#8aa06a") Lawn.
-    Building --> extrude(plinth + storeys * storey)
+    Building --> extrude(plinth + storeys * storey + 0.8)
                 comp(f) { front : Front | back : Back | side : color(brick) Wall. | top : Attic }
-    Back    --> split(y) { plinth : Wall | { ~storey : split(x) { { ~1 : Wall | window : Opening | ~1 : Wall }* } }* }
+    Back    --> split(y) { plinth : Wall | { ~storey : split(x) { { ~1 : Wall | window : Opening | ~1 : Wall }* } }* | 0.8 : Wall }
 
     // The front: door on the right, a bay or windows on the left, windows above.
     Front   --> split(y) { ~1 : split(x) { ~1.7 : BaySide | ~1 : DoorSide } | 0.8 : Cornice }
     DoorSide --> split(y) { plinth : Base | storey : Entrance | ~1 : Storeys }
     BaySide --> split(y) { plinth : Base | ~1 : Bays }
-    Bays    --> case hasBay : split(y) { (scope.sy - storey) : split(x) { ~1 : Wall | ^0.7 : Bay | ~1 : Wall } | ~1 : Floor }
+    Bays    --> case hasBay : split(y) { (scope.sy - storey) : split(x) { ~1 : Plain | ^0.7 : Bay | ~1 : Plain } | ~1 : Floor }
                 else        : Storeys
     Base    --> color(stone) extrude(0.12) Base.
     Storeys --> split(y) { { ~storey : Floor }* }
     Floor   --> split(y) { ~1 : split(x) { { ~0.6 : Wall | window : Opening | ~0.6 : Wall }* } | 0.16 : String }
+    Plain   --> split(y) { { ~storey - 0.16 : Wall | 0.16 : String }* }
     String  --> color(stone) extrude(0.08) Band.
     Wall    --> color(brick) Wall.
 
@@ -62,8 +63,8 @@ cga! {
     Sill    --> color(stone) s(scope.sx + 0.2, ^1, 0) center(x) extrude(0.16) Sill.
     Lintel  --> color(stone) [ s(scope.sx + 0.24, ^1, 0) center(x) extrude(0.06) Lintel. ]
                 s(0.22, 0.36, 0) center(x) extrude(0.12) Keystone.
-    Window  --> t(0, 0, -0.18) [ s(^1, ^1, 0.18) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal } ]
-                split(x) { 0.08 : Frame | ~1 : Sash | 0.08 : Frame }
+    Window  --> [ Recess(0.18) ] t(0, 0, -0.18) split(x) { 0.08 : Frame | ~1 : Sash | 0.08 : Frame }
+    Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal }
     Reveal  --> color("#f1ece0") Reveal.
     Sash    --> split(y) { 0.08 : Frame | ~1 : Panes | 0.07 : Frame | ~1 : Panes | 0.08 : Frame }
     Panes   --> split(x) { ~1 : Pane | 0.04 : Frame | ~1 : Pane }
@@ -77,11 +78,11 @@ cga! {
     Panel   --> color(stone) Panel.
 
     // The entrance: two leaves below a fanlight, between pilasters that carry a hood.
-    Entrance --> split(y) { ~1 : split(x) { ~1 : Wall | 0.3 : Pilaster | 1.25 : Portal | 0.3 : Pilaster | ~1 : Wall } | 0.3 : Hood | 0.3 : Wall }
+    Entrance --> split(y) { ~1 : split(x) { ~1 : Wall | 0.3 : Pilaster | 1.25 : Portal | 0.3 : Pilaster | ~1 : Wall } | 0.3 : Hood | 0.14 : Wall | 0.16 : String }
                 t(0, -plinth, 0) s(1.9, plinth, 2.6) center(x) primitiveCube split(y) { { ~0.17 : Step(split.index, split.total) }* }
     Pilaster --> color(stone) extrude(0.16) Pilaster.
     Hood    --> [ Wall ] color(stone) s(2.3, ^1, 0) center(x) extrude(0.55) Hood.
-    Portal  --> t(0, 0, -0.2) split(y) { ~1 : color(door) split(x) { ~1 : Leaf | 0.03 : Leaf | ~1 : Leaf } | 0.08 : Frame | 0.5 : Panes }
+    Portal  --> [ Recess(0.2) ] t(0, 0, -0.2) split(y) { ~1 : color(door) split(x) { ~1 : Leaf | 0.03 : Leaf | ~1 : Leaf } | 0.08 : Frame | 0.5 : Panes }
     Leaf    --> extrude(0.05) Door.
     Step(n, total) --> split(z) { (0.9 + 1.7 * (1 - n / (total - 1))) : color(stone) Step. | ~1 : NIL }
 
@@ -96,8 +97,8 @@ cga! {
                 comp(f) { bottom : NIL | top : color("#8b8d8f") Flat. | object.front : Slope | all : Slate }
     Slate   --> color(slate) Slate.
     Slope   --> [ Slate ] split(x) { { ~1 : NIL | window : Dormer | ~1 : NIL }* }
-    Dormer  --> alignScopeToAxes(y) t(0, 0.45, 0.1) s(^1, 1.6, 1.3) primitiveCube
-                comp(f) { front : DormerFront | side : Reveal | top : color(slate) roofGable(35, 0.1, 0.12) DormerRoof. }
+    Dormer  --> alignScopeToAxes(y) t(0, 0.45, 0.1) s(^1, 1.6, 1.05) primitiveCube
+                comp(f) { front : DormerFront | side : Reveal | top : color(slate) roofGable(35, 0.1) DormerRoof. }
     DormerFront --> split(x) { 0.1 : Reveal | ~1 : split(y) { 0.1 : Reveal | ~1 : Window | 0.1 : Reveal } | 0.1 : Reveal }
 
     Garden  --> split(x) { ~1.7 : Bed | ~1 : split(x) { ~1 : Bed | 1.9 : Path | ~1 : Bed } }

@@ -8,6 +8,7 @@ use std::fs;
 use std::path::Path;
 
 use cga_tests::gallery::chapter::{chapters, contents};
+use cga_tests::gallery::same;
 use cga_tests::gallery::scenes as scene_page;
 use cga_tests::scenes;
 use cga_tests::tree::root;
@@ -19,13 +20,28 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Ok(());
     }
     let chapters = chapters();
+    let mut drawn = Vec::new();
     for chapter in &chapters {
         fs::create_dir_all(folder.join(chapter.name))?;
         fs::write(folder.join(chapter.name).with_extension("md"), chapter.markdown())?;
         for (number, cell) in chapter.cells.iter().enumerate() {
-            cell.picture().write_png(folder.join(chapter.picture(number)))?;
+            let picture = cell.picture().to_png()?;
+            let path = folder.join(chapter.picture(number));
+            let other = drawn.iter().find(|(_, known)| *known == picture).map(|(title, _)| *title);
+            if other != same::original(cell.title) {
+                let (is, listed) = (other.unwrap_or("no other"), same::original(cell.title).unwrap_or("no other"));
+                return Err(format!("{} looks as {is}, and tests/gallery/same.rs says {listed}", cell.title).into());
+            }
+            match other {
+                Some(_) if path.exists() => fs::remove_file(path)?,
+                Some(_) => {}
+                None => {
+                    fs::write(path, &picture)?;
+                    drawn.push((cell.title, picture));
+                }
+            }
         }
-        println!("wrote docs/gallery/{}.md with {} pictures", chapter.name, chapter.cells.len());
+        println!("wrote docs/gallery/{}.md with {} pictures", chapter.name, chapter.drawn().count());
     }
     fs::write(folder.join("README.md"), contents(&chapters))?;
     Ok(())

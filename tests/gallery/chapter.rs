@@ -6,6 +6,7 @@ use cga::{Model, Settings};
 
 use super::captions::{heights, lengths, numbered};
 use super::cell::{Cell, area_cell, camera, cell, comp_cell, row};
+use super::same;
 use super::textured;
 use crate::pages::example::Example;
 use crate::pages::{self, cutting, meshes};
@@ -126,6 +127,11 @@ impl Chapter {
         format!("{}/{:02}.png", self.name, cell + 1)
     }
 
+    /// The numbers of the cells with a picture of their own.
+    pub fn drawn(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.cells.len()).filter(|cell| same::original(self.cells[*cell].title).is_none())
+    }
+
     /// The page: beside each picture its rules, and below them what they give.
     pub fn markdown(&self) -> String {
         let mut text = format!("# {}\n\n", self.title);
@@ -136,12 +142,14 @@ impl Chapter {
             links.collect::<Vec<_>>().join(", "),
         );
         for (number, cell) in self.cells.iter().enumerate() {
+            let shown = match same::original(cell.title) {
+                Some(original) => format!("The result looks as in <em>{}</em>.", escaped(original)),
+                None => format!("<img src=\"{}\" alt=\"{}\">", self.picture(number), escaped(cell.title)),
+            };
             let _ = write!(
                 text,
-                "\n### {}\n\n<table><tr><td width=\"50%\"><img src=\"{}\" alt=\"{}\"></td><td><pre>\n{}\n</pre>{}</td></tr></table>\n",
+                "\n### {}\n\n<table><tr><td width=\"50%\">{shown}</td><td><pre>\n{}\n</pre>{}</td></tr></table>\n",
                 cell.title,
-                self.picture(number),
-                escaped(cell.title),
                 escaped(cell.rules),
                 escaped(&cell.measured),
             );

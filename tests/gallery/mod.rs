@@ -6,5 +6,6 @@ mod captions;
 mod cell;
 pub mod chapter;
 mod marks;
+pub mod same;
 pub mod scenes;
 mod textured;

@@ -76,7 +76,7 @@ fn put_below(model: &mut Model, shape: Shape, settings: &Settings) {
 
 /// Returns true if the page's picture shows the borders of the pieces or of the faces.
 fn has_borders(example: &Example) -> bool {
-    ["UV Split", "Street Tiling: default"].iter().any(|title| example.title.contains(title))
+    ["UV Split", "Street Tiling: default", "with offsets"].iter().any(|title| example.title.contains(title))
 }
 
 /// The model with black strips of that width along all edges, inside the faces.

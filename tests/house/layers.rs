@@ -155,7 +155,7 @@ const GEOMETRY: &[&[&str]] = &[
 
 /// The layers of the operations in `cga-runtime/src/op`.
 const OPERATIONS: &[&[&str]] =
-    &[&["set", "slim", "report", "scope", "tagging"], &["face", "look"], &["create", "mesh"]];
+    &[&["set", "slim", "report", "scope", "tagging"], &["face", "look", "set_by_name"], &["create", "mesh"]];
 
 /// A module path from the root of a crate.
 type Module = Vec<String>;

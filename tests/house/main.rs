@@ -6,5 +6,6 @@ mod layers;
 mod links;
 mod packages;
 mod phrases;
+mod pictures;
 mod tidy;
 mod traits;

@@ -14,6 +14,7 @@ use cga::sink::picture::{Camera, Image, Lines, Picture, Projection, Style, Viewp
 use cga::sink::sink_table::SinkTable;
 use cga::sink::stats::{Measures, Stats};
 use cga::sink::svg::Svg;
+use cga::sink::watertight::Watertight;
 use cga::sink::{Axes, Filled, PartId, Replay};
 use cga::split::{Item, Piece, Prefix, Size, Solution};
 use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
@@ -66,7 +67,7 @@ fn public_types_have_the_common_traits() {
     // They share assets or a watch, or refer to a mesh, a model or a tree.
     each!(state: Assets, Grammars, Live, RuleFile, RuleLoader, Scene<'static>, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
     // They are filled and then used up.
-    each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution);
+    each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution, Watertight<Model>);
     // They belong to the thread of a run.
     each!(shown: Filled<'static>, Leaf<'static>, Replay<'static>, Session<'static, House>, ShapeRef<'static>);
 }

@@ -242,9 +242,11 @@ fn scenes_end_with_the_first_error_a_watch_or_what_takes_the_models() {
     let (blocks, lots) = (Blocks::default(), row(20, 0.0));
     let scene = Scene::new(&blocks, &lots);
     let few = Settings { limits: Limits { shapes: 3, ..Limits::default() }, ..Settings::default() };
+    // The first lot asks about the second one, whose derivation fails.
     let error = scene.generate(&few).expect_err("a limit");
-    assert_eq!(error.shape, Some(0));
-    assert!(matches!(scene.generate_lot(20, &few), Err(Error::Shape(_))));
+    assert_eq!(error.shape, Some(1));
+    let error = scene.generate_lot(20, &few).expect_err("no such lot");
+    assert!(error.shape.is_none() && matches!(error.error, Error::Shape(_)));
     let watch = Watch::new();
     watch.stop();
     let stopped = Settings { watch: Some(watch), ..Settings::default() };
@@ -257,6 +259,31 @@ fn scenes_end_with_the_first_error_a_watch_or_what_takes_the_models() {
     };
     let report = scene.generate_each(&Settings::default(), take).expect("no error");
     assert!(taken == 3 && report.stopped);
+}
+
+#[test]
+fn an_error_names_the_neighbour_whose_derivation_failed() {
+    cga! { grammar Asking = "Lot --> print(touches(inter)) X."; }
+    cga! { grammar Endless = "Lot --> split(x) { 0.1 : extrude(1) Y. }*"; }
+    let grammars = Grammars::new().with(Asking::default()).with(Endless::default());
+    let few = Settings { limits: Limits { shapes: 20, ..Limits::default() }, ..Settings::default() };
+    let mut lots = row(5, 0.0);
+    lots[3] = lots[3].clone().grammar("Endless");
+    let scene = Scene::of_grammars(&grammars, &lots);
+    // Lot 2 asks about lot 3.
+    let mut taken = 0;
+    let count = |_: usize, _: Model| {
+        taken += 1;
+        ControlFlow::Continue(())
+    };
+    let errors = [
+        scene.generate(&few).expect_err("a limit"),
+        scene.generate_each(&few, count).expect_err("a limit"),
+        scene.generate_lot(4, &few).expect_err("a limit"),
+        scene.generate_lot(3, &few).expect_err("a limit"),
+    ];
+    assert_eq!((errors.map(|error| error.shape), taken), ([Some(3); 4], 2));
+    assert!(scene.generate_lot(1, &few).is_ok());
 }
 
 #[test]

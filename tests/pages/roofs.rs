@@ -66,7 +66,8 @@ example!(
     Lot  --> extrude(10) Mass
     Mass --> comp(f) { top: Top | all: X }
     Top  --> roofHip(30, 2) Roof
-"#
+"#;
+    marks &[Mark::Boxes("Roof"), Mark::Scopes("Roof")]
 );
 
 example!(
@@ -99,7 +100,8 @@ example!(
     Lot  --> extrude(10) Mass
     Mass --> comp(f) { top: Top | all: X }
     Top  --> roofGable(30, 2, 1) Roof
-"#
+"#;
+    marks &[Mark::Boxes("Roof"), Mark::Scopes("Roof")]
 );
 
 example!(
@@ -132,7 +134,8 @@ example!(
     Lot  --> extrude(10) Mass
     Mass --> comp(f) { top: Top | all: X }
     Top  --> roofPyramid(30) Roof
-"#
+"#;
+    marks &[Mark::Boxes("Roof"), Mark::Scopes("Roof")]
 );
 
 example!(
@@ -143,7 +146,8 @@ example!(
     Lot  --> extrude(10) Mass
     Mass --> comp(f) { top: Top | all: X }
     Top  --> roofShed(10, 3) Roof
-"#
+"#;
+    marks &[Mark::Boxes("Roof"), Mark::Scopes("Roof")]
 );
 
 example!(
@@ -313,7 +317,7 @@ example!(
     Mass --> comp(f) { top: Top | all: X }
     Top  --> roofGable(30, 2, 1) Roof
     Roof --> set(trim.horizontal, true)
-             comp(f) { isTagged("roof.top") : Tiles }
+             comp(f) { isTagged("roof.top") : Tiles | isTagged("roof.side") : X }
 
     Tiles --> s('1, '1, 0.6) primitiveCube color("#b04030") Tiles_.
 "##

@@ -70,7 +70,7 @@ impl<'o> Printer<'o> {
             if let Detail::Later(name) = &diag.detail {
                 *self.later.entry(name.clone()).or_default() += 1;
             }
-            if self.options.quiet || !(!self.options.no_warnings || diag.level == Level::Error) {
+            if self.options.quiet || self.options.no_warnings && diag.level != Level::Error {
                 continue;
             }
             if own.shown == MOST_SHOWN && self.options.format == Format::Full {

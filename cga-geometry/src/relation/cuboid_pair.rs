@@ -12,6 +12,10 @@ use super::plane_cut::{clip, is_wider};
 /// The least sine of the angle between two edges that span a plane. Rounding errors are divided by it.
 const LEAST_SINE: f64 = 1e-6;
 
+/// The largest sum of the other components of an axis that is an axis of the occluder, too. Rounding errors of turned buildings are below it,
+/// and it moves no corner by a part of the tolerance.
+const SKEW: f64 = 1e-12;
+
 /// The least cosine between the normals of faces with a common area.
 const PARALLEL: f64 = 0.5;
 
@@ -25,11 +29,23 @@ pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wante
         outer: occluder.half,
         tolerance,
     };
-    let Some(depth) = pair.depth() else { return Relation::NONE };
+    let reach = pair.aligned_reach();
+    let Some(depth) = (match reach {
+        Some(reach) => pair.aligned_depth(reach),
+        None => pair.depth(),
+    }) else {
+        return Relation::NONE;
+    };
     let is_inside = pair.is_inside();
     let is_thick = geometry.is_solid() || tolerance < 2.0 * occluder.half.min_element();
     let overlaps = tolerance < depth && is_thick;
-    let contact = wanted.touches && !is_inside && !overlaps && pair.has_contact(geometry.is_solid());
+    let contact = wanted.touches
+        && !is_inside
+        && !overlaps
+        && match reach {
+            Some(reach) => pair.has_aligned_contact(reach, geometry.is_solid()),
+            None => pair.has_contact(geometry.is_solid()),
+        };
     Relation::of(is_inside, overlaps, contact)
 }
 
@@ -44,6 +60,38 @@ struct Pair {
 }
 
 impl Pair {
+    /// Half of the extents of the geometry along the axes of the occluder, if it has the same axes in any order. Most pairs of a building have.
+    #[inline]
+    fn aligned_reach(&self) -> Option<DVec3> {
+        let DMat3 { x_axis, y_axis, z_axis } = self.axes;
+        let [x, y, z] = [x_axis.abs(), y_axis.abs(), z_axis.abs()];
+        let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
+        (is_axis(x) && is_axis(y) && is_axis(z)).then(|| x * self.half.x + y * self.half.y + z * self.half.z)
+    }
+
+    /// [`depth`](Pair::depth) of a geometry with the same axes.
+    #[inline]
+    fn aligned_depth(&self, reach: DVec3) -> Option<f64> {
+        let depth = (self.outer + reach - self.centre.abs()).min_element();
+        (-self.tolerance <= depth).then_some(depth)
+    }
+
+    /// [`has_contact`](Pair::has_contact) of a geometry with the same axes.
+    fn has_aligned_contact(&self, reach: DVec3, is_solid: bool) -> bool {
+        let Pair { centre, outer, tolerance, axes, .. } = self;
+        // The part that both have in common, as extents.
+        let common = (*centre + reach).min(*outer) - (*centre - reach).max(-*outer);
+        (0..3).any(|across| {
+            if !is_solid && axes.z_axis[across].abs() < PARALLEL {
+                return false;
+            }
+            let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
+            let is_wide = 0.0 < a && 0.0 < b && tolerance * (a + b) < a * b;
+            let is_near = |side: f64| (side.abs() - outer[across]).abs() <= *tolerance;
+            is_wide && (is_near(centre[across] + reach[across]) || is_near(centre[across] - reach[across]))
+        })
+    }
+
     /// The length of the shortest move that separates the two. `None` if they are farther apart than the tolerance.
     #[inline]
     fn depth(&self) -> Option<f64> {

@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use glam::{DAffine3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles as _};
 
 use super::cuboid::Cuboid;
 use super::surface::Surface;
@@ -58,6 +58,31 @@ impl<'m> QueryGeometry<'m> {
     pub fn cuboid(placement: DAffine3) -> Self {
         let sides = [placement.matrix3.x_axis, placement.matrix3.y_axis, placement.matrix3.z_axis];
         Self::of_sides(placement.translation, sides)
+    }
+
+    /// The box with a centre, orthogonal axes of length 1 and half of its extent along each. Flat boxes are rectangles, and boxes without two
+    /// extents segments.
+    ///
+    /// ```
+    /// use cga_geometry::glam::{DAffine3, DMat3, DVec3};
+    /// use cga_geometry::relation::{Occluder, Occluders, QueryGeometry, Relation};
+    ///
+    /// let cube = Occluders::new([Occluder::cuboid(DAffine3::IDENTITY)]);
+    /// let face = QueryGeometry::oriented(DVec3::new(0.5, 1.0, 0.5), DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.5));
+    /// assert_eq!(cube.query(&face, Relation::ALL, &mut |_| true), Relation { overlaps: false, ..Relation::ALL });
+    /// ```
+    pub fn oriented(centre: DVec3, axes: DMat3, half: DVec3) -> Self {
+        let half = half.abs();
+        let DMat3 { x_axis, y_axis, z_axis } = axes;
+        let (axes, half) = match [half.x == 0.0, half.y == 0.0, half.z == 0.0] {
+            [false, false, _] => (axes, half),
+            // A rectangle has no extent along its last axis.
+            [true, false, false] => (DMat3::from_cols(y_axis, z_axis, x_axis), half.yzx()),
+            [false, true, false] => (DMat3::from_cols(z_axis, x_axis, y_axis), half.zxy()),
+            _ => return Self::segment([centre - axes * half, centre + axes * half]),
+        };
+        let cuboid = Cuboid { centre, axes, half };
+        Self::of(Form::Cuboid(cuboid), cuboid.bounds(), cuboid.extent())
     }
 
     /// The rectangle, or parallelogram, with a corner and two sides from it.

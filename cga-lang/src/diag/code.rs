@@ -120,6 +120,8 @@ codes! {
     MissingAsset "missing_asset" Warning "A file that is missing from the package, or an asset without faces.",
     UnknownTag "unknown_tag" Warning "A query for a tag that no operation gives.",
     UnknownLabel "unknown_label" Warning "A query for a label that no rule leaves.",
+    LostLabel "lost_label" Warning "A label below an operation with operands, where no query finds it.",
+    IdleQuery "idle_query" Warning "A query of an attribute or constant that finds no shape.",
     UnknownGroup "unknown_group" Warning "A group or material that is missing from an asset.",
     DivisionByZero "division_by_zero" Warning "A division by zero in every run.",
     // Values.

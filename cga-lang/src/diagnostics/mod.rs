@@ -11,9 +11,11 @@ mod defaults;
 mod edges;
 mod elements;
 mod faces;
+mod idle_queries;
 mod instances;
 mod labels;
 pub(crate) mod levels;
+mod lost_labels;
 mod numbers;
 mod operands;
 mod reachability;
@@ -103,6 +105,7 @@ pub(crate) fn check(cx: &mut Context) {
     }
     let certain = common.finish();
     let mut found = vec![blocks::check(cx), dead_code::check(cx), labels::check(cx)];
+    found.extend([lost_labels::check(cx), idle_queries::check(cx)]);
     if let Some(calls) = &calls {
         found.push(defaults::check(cx, calls, &certain));
         found.extend([reachability::check(cx, calls), start::check(cx, calls)]);

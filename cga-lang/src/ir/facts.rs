@@ -16,6 +16,7 @@
 
 mod closure;
 mod functions;
+mod left_shapes;
 mod queries;
 mod reads;
 mod rules;
@@ -29,6 +30,7 @@ use std::ops::BitOr;
 
 pub use crate::ops::Uses;
 pub(crate) use closure::closure;
+pub use left_shapes::LeftShapes;
 pub use queries::Queries;
 pub use reads::Reads;
 

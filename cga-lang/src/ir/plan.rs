@@ -37,7 +37,7 @@ mod splits;
 mod templates;
 mod trails;
 
-use crate::ir::facts::{Facts, Queries};
+use crate::ir::facts::{Facts, LeftShapes, Queries};
 use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
 use crate::ops::Uses;
 use std::collections::HashSet;
@@ -109,6 +109,12 @@ impl<'g> RunPlan<'g> {
     /// By start rule, the queries of other shapes that a run from it can reach.
     pub fn start_queries(&self) -> Vec<Queries> {
         Queries::by_start(self.grammar)
+    }
+
+    /// By rule, the shapes that it can leave for queries. Empty for a grammar without labels and queries.
+    pub fn left_shapes(&self) -> Vec<LeftShapes> {
+        let has_any = self.start_queries().iter().any(|queries| *queries != Queries::NONE);
+        if has_any { LeftShapes::by_rule(self.grammar) } else { Vec::new() }
     }
 
     /// Returns true if runs tell when they enter and leave a block: queries of closed shapes of the same initial shape leave out the

@@ -34,6 +34,11 @@ impl Effect {
     pub const fn keeps_geometry(self) -> bool {
         matches!(self, Effect::Keeps | Effect::KeepsSize | Effect::MovesScope | Effect::Sizes)
     }
+
+    /// Returns true if a flat face stays a flat face.
+    pub const fn keeps_flat_faces(self) -> bool {
+        matches!(self, Effect::Keeps | Effect::MovesScope | Effect::Sizes)
+    }
 }
 
 /// The part of the current shape that an operation changes.

@@ -177,7 +177,11 @@ static TAGS: &[Function] = &[
 ];
 
 /// Words from text.
-static REST: &[Function] = &[later("sel", &[text("selString")], T, "a word from text, where a word is required")];
+static REST: &[Function] = &[Function {
+    run: Run::Now("text_to_text"),
+    pure: true,
+    ..later("sel", &[text("selString")], T, "a word from text, where a word is required")
+}];
 
 #[cfg(test)]
 mod tests {

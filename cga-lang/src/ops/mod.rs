@@ -34,7 +34,7 @@ pub use effects::{Changes, Effect, UvEffect};
 pub(crate) use effects::{MOST_SECTIONS, MOST_SIZE};
 pub use functions::FUNCTIONS;
 pub use meaning::{AttrValues, Meaning};
-pub use operations::OPERATIONS;
+pub use operations::{OPERATIONS, SET_BY_NAME};
 pub use params::{Default, FileUse, Param, ParamKind, Words, required, variant};
 pub use selectors::{COMPONENTS, Component, SameAs, Selector, SelectorPlaces, component, selector, selectors};
 pub use syntax::{SYNTAX, Syntax, syntax};

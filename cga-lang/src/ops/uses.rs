@@ -59,8 +59,9 @@ impl Uses {
     pub const TREE_KEY: Uses = Uses(1 << 14).and(Uses::SAYS);
     /// A labelled copy of the shape is left for queries: `label`.
     pub const LABELS: Uses = Uses(1 << 15).and(Uses::ASKS);
-    /// The common part of all queries of other shapes: they read the place and the geometry, and a derivation with one is never replayed.
-    const ASKS: Uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
+    /// The common part of all queries of other shapes: they read the place, and a derivation with one is never replayed. A slim shape has its
+    /// geometry.
+    const ASKS: Uses = Uses::PLACE.and(Uses::SAYS);
 
     /// The union, in constants.
     pub const fn and(self, other: Uses) -> Uses {

@@ -5,7 +5,6 @@ use std::cmp::Reverse;
 use super::arguments::{has_error, word};
 use super::arity::{counts, word_of_other_form, wrong_count, wrong_form};
 use super::globals::Namespace;
-use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use super::words::{fitting, is_word_of, reach, strange_words};
@@ -432,9 +431,8 @@ impl<'a> Resolver<'_, 'a, '_> {
             ExprKind::Call(sel, words) if sel.text == "sel" => match words.as_slice() {
                 [Expr { kind: ExprKind::Text(text), span, .. }] => self.set_name(name, text, *span),
                 _ => {
-                    words.iter().for_each(|word| self.expr(word));
-                    self.not_implemented(name.span, "`set` of an attribute whose name is computed", "", IGNORED);
-                    self.note_later(name);
+                    self.expr(&target.value);
+                    self.note(name, Use::Operation(&ops::SET_BY_NAME));
                 }
             },
             _ if has_error(args) => {}

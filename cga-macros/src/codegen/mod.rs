@@ -26,6 +26,7 @@ mod types;
 
 use std::cell::{Cell, RefCell};
 
+use cga_lang::ir::facts::LeftShapes;
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
 use cga_lang::ops::Run;
@@ -50,6 +51,8 @@ struct Generator<'a> {
     plan: RunPlan<'a>,
     /// True if blocks tell when they are entered and left.
     tells_parts: bool,
+    /// By rule, the shapes that it can leave for queries; empty if there are no queries.
+    left_shapes: Vec<LeftShapes>,
     /// True if `#` values are captured, as in the expression form.
     captured: bool,
     /// The required type of each `#` value.
@@ -73,6 +76,7 @@ pub(crate) fn grammar(grammar: &Grammar, header: &Header, source: &Source) -> Ou
         source,
         names,
         tells_parts: plan.tells_parts(),
+        left_shapes: plan.left_shapes(),
         plan,
         captured: header.name.is_none(),
         hosts,

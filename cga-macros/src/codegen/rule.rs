@@ -1,5 +1,6 @@
 //! One function a rule, one function a function.
 
+use cga_lang::ir::facts::LeftShapes;
 use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
 use cga_lang::ir::{
     Block, BlockParts, Childless, Expr, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
@@ -132,7 +133,14 @@ impl Generator<'_> {
         }
         let numbers: Vec<u32> = self.plan.trails.of(id).collect();
         let number = site::of_site(&numbers);
-        code!(cx.enter(#number, shape)?;)
+        let enter = code!(cx.enter(#number, shape)?;);
+        // A derivation for queries leaves out the rules that leave nothing for them.
+        match self.left_shapes.get(id.0 as usize) {
+            Some(LeftShapes { labels: false, solids_of_faces }) => {
+                code!(#enter if cx.leaves_nothing(shape, #solids_of_faces) { return cx.leave(); })
+            }
+            _ => enter,
+        }
     }
 
     fn leave(&self, rule: &Rule) -> TokenStream {

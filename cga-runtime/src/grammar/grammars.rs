@@ -187,7 +187,7 @@ impl GrammarsSession<'_> {
 
 impl DynSession for GrammarsSession<'_> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-        let RunOutcome { report, error } = self.outcome(shape, None, sink);
+        let RunOutcome { report, error, .. } = self.outcome(shape, None, sink);
         if self.echo {
             derive::echo(&report.prints);
         }

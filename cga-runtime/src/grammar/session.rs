@@ -4,8 +4,8 @@
 //! data that runs can share. The results of its runs equal the results of single runs. A session belongs to one thread; parallel runs have
 //! one session each, see [`parallel`](crate::grammar::parallel).
 //!
-//! If rules ask about shapes of the same initial shape, a run derives it twice, and Rust functions in rules are called in both derivations.
-//! The first one leaves no reports, prints and faults, and its error ends the run. Queries of other initial shapes give their defaults,
+//! If rules ask about shapes of the same initial shape, a run derives it twice. The first derivation leaves out rules whose shapes no query
+//! finds, as façades. It leaves no reports, prints and faults, its error ends the run, and Rust functions in its rules are called in both. Queries of other initial shapes give their defaults,
 //! unless the run is part of a [`Scene`](crate::grammar::scene::Scene).
 
 use std::borrow::Cow;
@@ -202,7 +202,7 @@ pub trait DynSession {
     #[doc(hidden)]
     fn outcome(&mut self, shape: &Shape, _neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
         match self.run(shape, sink) {
-            Ok(report) => RunOutcome { report, error: None },
+            Ok(report) => report.into(),
             Err(error) => RunOutcome::failed(error),
         }
     }
@@ -219,7 +219,7 @@ pub trait DynSession {
     fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
         let mut leaves = LeafGhost::new(collect);
         match self.outcome(shape, None, &mut leaves) {
-            RunOutcome { report, error: None } if !report.stopped => Ok(leaves.finish()),
+            RunOutcome { report, error: None, .. } if !report.stopped => Ok(leaves.finish()),
             RunOutcome { error, .. } => Err(error.map_or(NoResult::Stopped, NoResult::Failed)),
         }
     }

@@ -12,6 +12,7 @@ mod scope;
 #[cfg(test)]
 mod scope_tests;
 pub mod set;
+mod set_by_name;
 pub mod slim;
 mod tagging;
 
@@ -75,6 +76,7 @@ pub use scope::align_geometry::{
 pub use scope::coordinates::{System, TransformMode, rotate_in, translate_in};
 pub use scope::pivot::{AxisMap, mirror_scope, set_pivot};
 pub use scope::transform::{CenterAxes, RotateAbout, center, rotate, rotate_about, size, translate};
+pub use set_by_name::set_by_name;
 pub use tagging::delete_tags::{delete_tags, delete_tags_of};
 pub use tagging::edge_attr_tags::set_tags_from_edge_attrs;
 pub use tagging::tag::{TagTarget, tag};

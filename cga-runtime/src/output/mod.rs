@@ -29,4 +29,5 @@ pub mod svg;
 mod tangents;
 mod texture;
 mod triangles;
+pub mod watertight;
 mod whole_file;

@@ -21,6 +21,7 @@ use crate::material::Material;
 use crate::output::leaf_numbers::Numbers;
 use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
+use crate::output::watertight::Watertight;
 use crate::run::building::Building;
 use crate::run::report::Report;
 use crate::run::report::{Collection, Print, Reports};
@@ -235,6 +236,20 @@ impl Model {
             counts[leaf.rule_index()].1 += 1;
         }
         counts
+    }
+
+    /// The model without cracks: corners of neighbours are corners of the edges that they lie in, for each initial shape on its own. See
+    /// [`Watertight`].
+    #[must_use]
+    pub fn watertight(&self) -> Model {
+        let model = match self.assets() {
+            Some(assets) => Model::new().with_assets(assets.clone()),
+            None => Model::new(),
+        };
+        let mut sink = Watertight::new(model);
+        // A model takes all leaves.
+        let _ = self.replay(&mut sink);
+        sink.into_inner().with_report(self.report.clone())
     }
 
     /// The number of leaves of one rule.

@@ -5,21 +5,20 @@
 
 use crate::run::env::Env;
 use crate::run::ghost::LabelledShape;
-use crate::shape::Shape;
-use crate::shape::body::Body;
+use crate::shape::view::View;
 use crate::value::text::Text;
 
 pub use crate::run::ghost::ContextComparison;
 pub use crate::run::surroundings::QueryTarget;
 
 /// `minimumDistance(target, label)`: the distance from the scope of the shape to the nearest scope of a shape with that label, in metres.
-pub fn minimum_distance(env: &mut Env, shape: &Shape, target: QueryTarget, label: Text) -> f64 {
+pub fn minimum_distance(env: &mut Env, shape: &impl View, target: QueryTarget, label: Text) -> f64 {
     env.expect_scene(target);
-    env.scene.around.least_distance(target, &label, &shape.scope)
+    env.scene.around.least_distance(target, &label, &shape.body().scope)
 }
 
 /// `contextCount(target, label)`: the number of shapes with that label.
-pub fn context_count(env: &mut Env, _: &Shape, target: QueryTarget, label: Text) -> f64 {
+pub fn context_count(env: &mut Env, _: &impl View, target: QueryTarget, label: Text) -> f64 {
     env.expect_scene(target);
     env.scene.around.count(target, &label) as f64
 }
@@ -28,12 +27,12 @@ pub fn context_count(env: &mut Env, _: &Shape, target: QueryTarget, label: Text)
 /// are better. Shapes that are equal up to rounding have one rank. The shape itself need not have the label.
 pub fn context_compare(
     env: &mut Env,
-    shape: &Shape,
+    shape: &impl View,
     target: QueryTarget,
     label: Text,
     comparison: ContextComparison,
 ) -> f64 {
     env.expect_scene(target);
-    let own = LabelledShape::of(&Body::from(shape));
+    let own = LabelledShape::of(&shape.body());
     env.scene.around.rank(target, &label, &own, comparison) as f64
 }

@@ -75,6 +75,13 @@ impl<C> Cx<'_, C> {
         if self.env.has_room(0) { Flow::Continue(()) } else { self.env.enter(shape) }
     }
 
+    /// Returns true if the rest of a rule makes no difference: this derivation collects shapes for queries, and the rule makes none of this
+    /// shape. The rule makes no labels, and solids of flat faces only if `makes_solids`.
+    #[inline]
+    pub fn leaves_nothing(&self, shape: &ShapeRef<'_>, makes_solids: bool) -> bool {
+        self.env.leaves_nothing(shape, makes_solids)
+    }
+
     /// Leaves a rule.
     #[inline]
     pub fn leave(&mut self) -> Flow {
@@ -213,6 +220,9 @@ fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>
 #[cold]
 #[inline(never)]
 pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    if env.only_counts_symbol() {
+        return filled(env, sink, shape, rule);
+    }
     let recorded = env.record_symbol(shape, rule);
     recorded_leaf(env, sink, shape, rule, recorded)
 }

@@ -63,6 +63,8 @@ impl<C> Kept<C> {
 pub struct RunOutcome {
     pub(crate) report: Report,
     pub(crate) error: Option<Error>,
+    /// The initial shape of a scene whose derivation failed, if the run failed because of a neighbour.
+    pub(crate) failed_neighbour: Option<usize>,
 }
 
 impl RunOutcome {
@@ -70,12 +72,18 @@ impl RunOutcome {
     pub(crate) fn stopped(settings: &Settings) -> Option<Self> {
         let is_stopped = settings.watch.as_ref().is_some_and(|watch| watch.is_stopped());
         let report = Report { stopped: true, ..Report::default() };
-        is_stopped.then_some(RunOutcome { report, error: None })
+        is_stopped.then_some(report.into())
     }
 
     /// A run that never began.
     pub(crate) fn failed(error: Error) -> Self {
         RunOutcome { error: Some(error), ..RunOutcome::default() }
+    }
+}
+
+impl From<Report> for RunOutcome {
+    fn from(report: Report) -> Self {
+        RunOutcome { report, ..RunOutcome::default() }
     }
 }
 
@@ -92,7 +100,7 @@ impl From<NoResult> for RunOutcome {
     fn from(reason: NoResult) -> Self {
         match reason {
             NoResult::Failed(error) => RunOutcome::failed(error),
-            NoResult::Stopped => RunOutcome { report: Report { stopped: true, ..Report::default() }, error: None },
+            NoResult::Stopped => Report { stopped: true, ..Report::default() }.into(),
         }
     }
 }
@@ -190,7 +198,7 @@ fn outcome(env: &mut Env, flow: Flow) -> RunOutcome {
         prints_quota: prints.quota,
         prints: prints.in_order(),
     };
-    RunOutcome { report, error: env.error.take() }
+    RunOutcome { report, error: env.error.take(), failed_neighbour: None }
 }
 
 /// The values of the attributes of a run on a shape that was checked, without running rules.

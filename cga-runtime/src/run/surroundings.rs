@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::ghost::{self, ContextComparison, Ghost, LabelIndex, LabelledShape};
 use crate::geometry::relation::Relation;
+use crate::run::tree_keys::Place;
 use crate::shape::body::Body;
 use crate::shape::scope::Scope;
 
@@ -79,6 +80,11 @@ impl LabelledNeighbours {
 }
 
 impl Surroundings {
+    /// Returns true if shapes of a target are known.
+    pub(crate) fn has_any(&self, target: QueryTarget) -> bool {
+        self.own(target).is_some() || self.neighbours(target).is_some()
+    }
+
     /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `place` is the place of the query
     /// in the tree of its shapes.
     pub(crate) fn relation(
@@ -87,13 +93,14 @@ impl Surroundings {
         shape: &Body,
         wanted: Relation,
         label: Option<&str>,
-        place: &[u32],
+        place: Option<Place<'_>>,
     ) -> Relation {
         let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
+        let own = self.own(target).map(|ghost| (ghost, place));
+        let ghosts = || own.into_iter().chain(neighbours.iter().map(|ghost| (&**ghost, None)));
         ghost::body::relation(shape, &mut |query| {
-            let own = self.own(target).map(|ghost| ghost.occluders().relation(query, wanted, label, Some(place)));
-            let others = neighbours.iter().map(|ghost| ghost.occluders().relation(query, wanted, label, None));
-            own.into_iter().chain(others).fold(Relation::NONE, Relation::or)
+            let answers = ghosts().map(|(ghost, place)| ghost.occluders().relation(query, wanted, label, place));
+            answers.fold(Relation::NONE, Relation::or)
         })
     }
 

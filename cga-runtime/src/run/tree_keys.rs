@@ -41,6 +41,13 @@ struct Node {
     parts: u32,
 }
 
+/// The place of a shape in a tree.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place<'k> {
+    keys: &'k TreeKeys,
+    node: TreeNode,
+}
+
 /// Marks the number of a part.
 const PART: u32 = 1 << 31;
 
@@ -104,6 +111,11 @@ impl TreeKeys {
         }
     }
 
+    /// Counts a leaf symbol of the rule at a level, whose place is not needed.
+    pub(crate) fn count_symbol(&mut self, level: usize) {
+        self.next_number(level, self.parent(level));
+    }
+
     /// Adds a leaf symbol of the rule at a level.
     pub(crate) fn symbol(&mut self, level: usize) -> TreeNode {
         TreeNode(self.add(level))
@@ -129,11 +141,16 @@ impl TreeKeys {
 
     /// The key of a shape: the numbers of children from the initial shape on.
     pub(crate) fn key(&self, node: TreeNode) -> Vec<u32> {
-        self.place(node).into_iter().filter(|number| number & PART == 0).collect()
+        self.numbers(node).into_iter().filter(|number| number & PART == 0).collect()
     }
 
-    /// The place of a shape: the numbers of its key, with its parts.
-    pub(crate) fn place(&self, node: TreeNode) -> Vec<u32> {
+    /// The place of a shape, to compare it with places in another tree.
+    pub(crate) fn place(&self, node: TreeNode) -> Place<'_> {
+        Place { keys: self, node }
+    }
+
+    /// The numbers of the key of a shape, with its parts.
+    fn numbers(&self, node: TreeNode) -> Vec<u32> {
         let mut numbers = vec![0; self.nodes[node.0 as usize].depth as usize + 1];
         let mut at = node.0;
         for number in numbers.iter_mut().rev() {
@@ -144,21 +161,31 @@ impl TreeKeys {
         numbers
     }
 
-    /// Returns true if a shape is at a place, or is an ancestor or descendant of it.
-    pub(crate) fn is_in_line(&self, node: TreeNode, place: &[u32]) -> bool {
-        let mut node = self.nodes[node.0 as usize];
-        while place.len() <= node.depth as usize {
-            node = self.nodes[node.parent as usize];
-        }
+    /// Returns true if a shape is at a place of another tree, or is an ancestor or descendant of it.
+    pub(crate) fn is_in_line(&self, node: TreeNode, place: Place<'_>) -> bool {
+        let (own, other) = (self.at(node.0), place.keys.at(place.node.0));
+        let (mut own, mut other) = (self.up_to(own, other.depth), place.keys.up_to(other, own.depth));
         loop {
-            if place.get(node.depth as usize) != Some(&node.number) {
+            if own.number != other.number {
                 return false;
             }
-            if node.depth == 0 {
+            if own.depth == 0 {
                 return true;
             }
-            node = self.nodes[node.parent as usize];
+            (own, other) = (self.at(own.parent), place.keys.at(other.parent));
         }
+    }
+
+    fn at(&self, node: u32) -> Node {
+        self.nodes[node as usize]
+    }
+
+    /// The ancestor with at most a depth, or the node itself.
+    fn up_to(&self, mut node: Node, depth: u32) -> Node {
+        while depth < node.depth {
+            node = self.at(node.parent);
+        }
+        node
     }
 
     /// Begins an operand of the rule at a level. Its shapes are not in the tree: they have keys below the current shape, which the end of
@@ -273,9 +300,9 @@ mod tests {
         keys.end_part();
         keys.end_part();
         assert_eq!([keys.key(first), keys.key(in_first), keys.key(in_second)], [vec![0], vec![0, 0], vec![0, 1]]);
-        assert!(keys.is_in_line(first, &keys.place(in_first)) && keys.is_in_line(in_first, &keys.place(first)));
-        assert!(!keys.is_in_line(first, &keys.place(in_second)) && !keys.is_in_line(in_second, &keys.place(first)));
-        assert!(keys.is_in_line(keys.current(1), &keys.place(in_second)));
+        assert!(keys.is_in_line(first, keys.place(in_first)) && keys.is_in_line(in_first, keys.place(first)));
+        assert!(!keys.is_in_line(first, keys.place(in_second)) && !keys.is_in_line(in_second, keys.place(first)));
+        assert!(keys.is_in_line(keys.current(1), keys.place(in_second)));
     }
 
     #[test]
@@ -301,12 +328,19 @@ mod tests {
         keys.enter(1);
         keys.enter(2);
         let (parent, child, sibling) = (keys.current(2), keys.symbol(2), keys.symbol(2));
-        let key = keys.key(parent);
-        assert!(
-            keys.is_in_line(parent, &key) && keys.is_in_line(child, &key) && keys.is_in_line(keys.current(0), &key)
-        );
-        let key = keys.place(child);
-        assert!(keys.is_in_line(parent, &key) && !keys.is_in_line(sibling, &key));
-        assert!(!keys.is_in_line(parent, &[0, 1]) && !keys.is_in_line(child, &[0, 1, 0]));
+        let place = keys.place(parent);
+        assert!([parent, child, keys.current(0)].into_iter().all(|node| keys.is_in_line(node, place)));
+        let place = keys.place(child);
+        assert!(keys.is_in_line(parent, place) && !keys.is_in_line(sibling, place));
+        // The same places in another tree.
+        let mut other = TreeKeys::default();
+        other.enter(1);
+        let uncle = other.symbol(1);
+        other.count_symbol(1);
+        other.enter(2);
+        let cousin = other.symbol(2);
+        assert!(keys.is_in_line(parent, other.place(uncle)) && keys.is_in_line(child, other.place(uncle)));
+        assert!(!keys.is_in_line(parent, other.place(cousin)) && !keys.is_in_line(child, other.place(cousin)));
+        assert_eq!(other.key(cousin), [0, 2, 0]);
     }
 }

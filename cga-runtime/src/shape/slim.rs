@@ -106,6 +106,19 @@ impl<'a> ShapeRef<'a> {
         Scope { origin: self.origin(), axes: self.axes.matrix, size: self.size.get() }
     }
 
+    /// Returns true if the geometry is at most one face, so that it has no volume, nor have parts of it.
+    pub(crate) fn is_flat_face(&self) -> bool {
+        match self.form {
+            Form::Rect(_) | Form::Empty => true,
+            Form::Box => false,
+            Form::Other => match &self.base.shape.geometry {
+                Geometry::Mesh(placed) => placed.mesh.face_count() <= 1,
+                Geometry::Box(_) => false,
+                _ => true,
+            },
+        }
+    }
+
     /// The geometry.
     pub(crate) fn geometry(&self) -> Geometry {
         match self.form {

@@ -108,7 +108,6 @@ impl View for &ShapeRef<'_> {
         self.base.shape.own_attribute(number)
     }
 
-    #[cold]
     fn body(&self) -> Body {
         Body::from(*self)
     }

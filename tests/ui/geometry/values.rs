@@ -17,6 +17,11 @@ cga! {
     Barn --> extrude(9) comp(f) { isTagged("extrude.sides") : A. }
     @Deny(unknown_label)
     Fort --> label("gate") print(contextCount(intra, "gates")) A.
+    @Deny(lost_label)
+    Keep --> union { label("tower") A. | A. } A.
+    @Deny(idle_query)
+    attr hidden = touches(intra)
+    Moat --> print(hidden) A.
 }
 
 cga! {

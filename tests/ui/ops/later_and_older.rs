@@ -4,12 +4,12 @@ use cga::cga;
 
 cga! {
     pub grammar Later;
-    Lot --> extrude(12) print(sel("front")) Tower.
+    Lot --> extrude(12) center(sel("x" + "y")) Tower.
 }
 
 cga! {
     pub grammar LaterText = r#"
-        Lot --> extrude(12) print(sel("front")) Tower."#;
+        Lot --> extrude(12) center(sel("x" + "y")) Tower."#;
 }
 
 cga! {

@@ -24,6 +24,14 @@ pub static OPERATIONS: &[&[Operation]] = &[
     flow::ROWS,
 ];
 
+/// `set` of an attribute of shapes whose name is computed (*sel function*). `set` is a word of the syntax, so the row is not in the table.
+pub static SET_BY_NAME: Operation = op(
+    "set",
+    "set_by_name",
+    &[super::text("selString"), super::param("value", super::ParamKind::Any)],
+    "sets an attribute of the shape whose name is computed",
+);
+
 /// A row that the runtime function `call` implements.
 const fn op(name: Str, call: Str, params: Params, about: Str) -> Operation {
     Operation { run: Run::Now(call), ..later(name, params, about) }

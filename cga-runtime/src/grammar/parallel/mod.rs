@@ -12,6 +12,8 @@
 //!
 //! Threads take stretches in order, so a program that streams its sinks gets them almost in order.
 
+#[cfg(feature = "rayon")]
+mod crew;
 pub(crate) mod order;
 mod stretch;
 

@@ -59,7 +59,7 @@ pub(super) struct Done<T> {
 pub(super) enum EarlyEnd {
     /// The sink or the watch ended its run.
     Stopped,
-    /// The run of a shape failed. The number is the index of the shape in the list.
+    /// A run failed. The number is the index of the shape whose derivation failed.
     Failed(usize, Error),
 }
 
@@ -78,7 +78,8 @@ pub(super) fn derive_stretch<T>(
             break;
         }
         done.shapes.end = at + 1;
-        let RunOutcome { report, error } = run(&mut done.output, at);
+        let RunOutcome { report, error, failed_neighbour } = run(&mut done.output, at);
+        let failed = failed_neighbour.unwrap_or(at);
         let stopped = report.stopped;
         if report.is_only_counts() {
             done.counts.shapes = done.counts.shapes.saturating_add(report.shapes);
@@ -86,7 +87,7 @@ pub(super) fn derive_stretch<T>(
         } else {
             done.reports.push(report);
         }
-        done.end = error.map(|error| EarlyEnd::Failed(at, error)).or(stopped.then_some(EarlyEnd::Stopped));
+        done.end = error.map(|error| EarlyEnd::Failed(failed, error)).or(stopped.then_some(EarlyEnd::Stopped));
         if done.end.is_some() {
             break;
         }

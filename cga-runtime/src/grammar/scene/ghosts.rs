@@ -66,7 +66,7 @@ impl<'s> SceneRun<'s> {
         }
         let neighbours = match self.neighbours(session, index) {
             Ok(neighbours) => Arc::new(neighbours),
-            Err(reason) => return reason.into(),
+            Err((at, reason)) => return RunOutcome { failed_neighbour: Some(at), ..reason.into() },
         };
         let outcome = session.outcome(&self.lots[index], Some(&neighbours), sink);
         self.release(index);
@@ -178,10 +178,10 @@ impl<'s> SceneRun<'s> {
         list.into_iter()
     }
 
-    /// The shapes around an initial shape.
-    fn neighbours(&self, session: &mut Worker<'_>, index: usize) -> Result<Neighbours, NoResult> {
-        let mut ghosts = |list: Vec<usize>| -> Result<Vec<Arc<Ghost>>, NoResult> {
-            list.into_iter().map(|at| self.ghost(session, at)).collect()
+    /// The shapes around an initial shape. An error has the index of the neighbour whose derivation has no result.
+    fn neighbours(&self, session: &mut Worker<'_>, index: usize) -> Result<Neighbours, (usize, NoResult)> {
+        let mut ghosts = |list: Vec<usize>| -> Result<Vec<Arc<Ghost>>, (usize, NoResult)> {
+            list.into_iter().map(|at| self.ghost(session, at).map_err(|reason| (at, reason))).collect()
         };
         let occlusion = ghosts(self.near(index, Queries::INTER_OCCLUSION, self.distances.occlusion))?;
         let context = match self.labels.get() {

@@ -34,8 +34,9 @@ use crate::shape::Shape;
 ///
 /// While neighbours are derived for a query, their own queries of neighbours give the defaults: false, 0, and an infinite distance. So a model
 /// depends neither on the order of the initial shapes nor on threads, and another initial shape can change only the models in its
-/// neighbourhood. Each neighbour is derived once more for all queries of a scene. Its reports, prints and faults are dropped, and Rust functions
-/// in its rules are called again. If its derivation fails, so does the run that needs it.
+/// neighbourhood. Each neighbour is derived once more for all queries of a scene, without the rules whose shapes no query finds. Its
+/// reports, prints and faults are dropped, and Rust functions in its rules are called again. If its derivation fails, so does the run that needs
+/// it, with the index of the neighbour.
 ///
 /// Neighbours are dropped as soon as no later initial shape can ask about them, so initial shapes that are neighbours should be near each
 /// other in the list. Labelled shapes stay until the end where the distance is infinite. If rules ask for labels of all initial shapes and for
@@ -114,7 +115,8 @@ impl<'s> Scene<'s> {
     /// Runs all initial shapes, in parallel with the feature `rayon`, and collects a model of each.
     ///
     /// # Errors
-    /// The first error in the order of the initial shapes, or an error that does not depend on one.
+    /// The first error in the order of the initial shapes, or an error that does not depend on one. If the derivation of a neighbour fails,
+    /// the error has the index of this neighbour.
     pub fn generate(&self, settings: &Settings) -> Result<Batches<Model>, RunError> {
         self.with_runs(settings, |runs| generate_by(runs, settings))
     }
@@ -132,7 +134,7 @@ impl<'s> Scene<'s> {
     }
 
     /// Runs all initial shapes, in parallel with the feature `rayon`, and passes the model of each to `take`, in their order. A model is
-    /// dropped as soon as `take` has returned, so a scene need not fit into memory; models that are finished early wait for their turn.
+    /// dropped as soon as `take` has returned, so a scene need not fit into memory; at most 128 models that are finished early wait for their turn.
     /// `Break` ends the runs. Returns the merged report of the models that were passed on.
     ///
     /// # Errors
@@ -165,7 +167,9 @@ impl<'s> Scene<'s> {
                 }
                 report.merge(outcome.report.clone(), &settings.limits);
                 match outcome.error {
-                    Some(error) => failed = Some(RunError { shape: Some(at), error }),
+                    Some(error) => {
+                        failed = Some(RunError { shape: Some(outcome.failed_neighbour.unwrap_or(at)), error })
+                    }
                     None => {
                         let model = model.with_report(outcome.report).with_assets(settings.assets.clone());
                         is_over.store(take(at, model).is_break(), Ordering::Relaxed);
@@ -181,8 +185,9 @@ impl<'s> Scene<'s> {
     /// derived.
     ///
     /// # Errors
-    /// [`Error::Shape`] for an index out of range, and the errors of a run.
-    pub fn generate_lot(&self, index: usize, settings: &Settings) -> Result<Model, Error> {
+    /// [`Error::Shape`] for an index out of range, and the errors of a run, with the index of the initial shape whose derivation failed: this
+    /// one, or a neighbour.
+    pub fn generate_lot(&self, index: usize, settings: &Settings) -> Result<Model, RunError> {
         let mut model = Model::new();
         let report = self.run_lot(index, settings, &mut model)?;
         Ok(model.with_report(report).with_assets(settings.assets.clone()))
@@ -192,20 +197,21 @@ impl<'s> Scene<'s> {
     ///
     /// # Errors
     /// As [`generate_lot`](Scene::generate_lot).
-    pub fn run_lot(&self, index: usize, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, Error> {
+    pub fn run_lot(&self, index: usize, settings: &Settings, sink: &mut dyn Sink) -> Result<Report, RunError> {
         if self.lots.len() <= index {
-            return Err(Error::Shape(format!("the scene has no initial shape {index}")));
+            return Err(Error::Shape(format!("the scene has no initial shape {index}")).into());
         }
         let mut session = self.open(&Settings { echo: false, ..settings.clone() })?;
         let run = SceneRun::new(self.lots, self.distances, &mut session);
         if run.asks_about_all(index) {
             run.index_labels(&|settings| self.open(settings), settings)?;
         }
-        let RunOutcome { report, error } = run.outcome(&mut session, index, sink);
+        let RunOutcome { report, error, failed_neighbour } = run.outcome(&mut session, index, sink);
         if settings.echo {
             derive::echo(report.prints());
         }
-        error.map_or(Ok(report), Err)
+        let shape = Some(failed_neighbour.unwrap_or(index));
+        error.map_or(Ok(report), |error| Err(RunError { shape, error }))
     }
 
     /// The indices of the initial shapes whose models may change if the one with an index changes: itself, and those whose rules ask about

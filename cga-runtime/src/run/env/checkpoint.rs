@@ -19,8 +19,8 @@ pub(crate) struct Checkpoint {
     /// The highest count of shapes requested during the recording of a template. The checkpoint is then 0, so that
     /// every request comes here.
     recorded: Option<u64>,
-    /// The number of shapes at the last question to the watch, in a run that stops at each shape.
-    asked: u64,
+    /// In a run that stops at each shape, the number of shapes up to which no limit is reached and the watch need not be asked.
+    quiet: u64,
     /// True in a derivation whose shapes are not progress.
     is_silent: bool,
     told: Progress,
@@ -30,12 +30,20 @@ impl Checkpoint {
     /// The first checkpoint of a run.
     pub(crate) fn first(settings: &Settings) -> Self {
         let stride = if settings.watch.is_some() { STRIDE } else { u64::MAX };
+        // Larger numbers mark a run that has ended.
+        let most = settings.limits.shapes_in(settings.limits.bytes).min(MOST_SHAPES);
         Checkpoint {
-            // Larger numbers mark a run that has ended.
-            shapes: settings.limits.shapes_in(settings.limits.bytes).min(stride).min(MOST_SHAPES),
+            shapes: most.min(stride),
+            quiet: most.min(STRIDE - 1),
             calls: settings.limits.calls.min(stride),
             ..Checkpoint::default()
         }
+    }
+
+    /// Makes no checkpoint later than a number of shapes.
+    pub(super) fn lower(&mut self, most: u64) {
+        self.shapes = self.shapes.min(most);
+        self.quiet = self.quiet.min(most);
     }
 
     /// Returns true while room is measured: a template is recorded.
@@ -49,7 +57,13 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub(crate) fn make_room(&mut self, more: u64) -> Flow {
-        let (limit, wanted) = (self.most_shapes(), self.shape_count().saturating_add(more));
+        let wanted = self.shape_count().saturating_add(more);
+        let measures_room = self.measures_room();
+        // In a run that records its tree or keys, the checkpoint stays 0.
+        if self.stops_at_each_shape() && !measures_room && wanted <= self.checkpoint.quiet {
+            return ControlFlow::Continue(());
+        }
+        let limit = self.most_shapes();
         if limit < wanted {
             return self.too_many_shapes();
         }
@@ -57,12 +71,8 @@ impl Env {
             *most = wanted.max(*most);
             return ControlFlow::Continue(());
         }
-        // In a run that records its tree or keys, the checkpoint stays.
         if self.stops_at_each_shape() {
-            if wanted < self.checkpoint.asked.saturating_add(STRIDE) {
-                return if self.ended() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-            }
-            self.checkpoint.asked = wanted;
+            self.checkpoint.quiet = limit.min(wanted.saturating_add(STRIDE - 1));
             return if self.checkpoint.is_silent { self.ask() } else { self.ask_watch() };
         }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));

@@ -40,7 +40,7 @@ impl Env {
             self.meshes = before;
             return false;
         }
-        self.checkpoint.shapes = self.checkpoint.shapes.min(most);
+        self.checkpoint.lower(most);
         true
     }
 
@@ -59,7 +59,7 @@ impl Env {
         self.meshes.bytes = self.meshes.bytes.saturating_add(bytes);
         let most = self.most_shapes();
         // A smaller checkpoint: shapes count for bytes, too.
-        self.checkpoint.shapes = self.checkpoint.shapes.min(most);
+        self.checkpoint.lower(most);
         if most < self.shape_count() { self.too_many_shapes() } else { ControlFlow::Continue(()) }
     }
 

@@ -8,9 +8,10 @@ use crate::geometry::relation::Relation;
 use crate::run::ghost::{Collect, Ghost, GhostBuilder};
 use crate::run::settings::Repeats;
 use crate::run::surroundings::{QueryTarget, Surroundings};
-use crate::run::tree_keys::{KeysBeforeOperand, TreeKeys, TreeNode};
+use crate::run::tree_keys::{KeysBeforeOperand, Place, TreeKeys, TreeNode};
 use crate::shape::ShapeRef;
 use crate::shape::body::Body;
+use crate::shape::view::View;
 use crate::value::text::Text;
 
 /// The shapes around a run, and those that it collects.
@@ -83,9 +84,17 @@ impl Env {
         }
     }
 
-    /// The place of the current shape in the tree of shapes.
-    fn place(&self) -> Vec<u32> {
-        self.scene.keys.as_ref().map_or_else(|| vec![0], |keys| keys.place(keys.current(self.trail.len())))
+    /// The place of the current shape in the tree of shapes, if keys are recorded.
+    fn place(&self) -> Option<Place<'_>> {
+        self.scene.keys.as_ref().map(|keys| keys.place(keys.current(self.trail.len())))
+    }
+
+    /// Returns true if shapes are collected for queries and a rule leaves none if it gets this shape. The rule makes no labels, and solids of
+    /// flat faces only if `makes_solids`.
+    #[inline]
+    pub(crate) fn leaves_nothing(&self, shape: &ShapeRef<'_>, makes_solids: bool) -> bool {
+        let Some(ghost) = &self.scene.ghost else { return false };
+        !ghost.collect.occluders || (!makes_solids && shape.is_flat_face())
     }
 
     /// Returns true if closed shapes are collected.
@@ -148,9 +157,18 @@ impl Env {
     }
 
     /// The wanted answers for a shape, among the closed shapes of a target with a label; an empty label means all shapes.
-    pub(crate) fn relation(&mut self, shape: &Body, target: QueryTarget, label: &str, wanted: Relation) -> Relation {
+    pub(crate) fn relation(
+        &mut self,
+        shape: &impl View,
+        target: QueryTarget,
+        label: &str,
+        wanted: Relation,
+    ) -> Relation {
         self.expect_scene(target);
+        if !self.scene.around.has_any(target) {
+            return Relation::NONE;
+        }
         let label = Some(label).filter(|label| !label.is_empty());
-        self.scene.around.relation(target, shape, wanted, label, &self.place())
+        self.scene.around.relation(target, &shape.body(), wanted, label, self.place())
     }
 }

@@ -37,9 +37,11 @@ impl Env {
         if let Some(keys) = self.keys() {
             keys.enter(level);
         }
-        let rule = self.trail.last().map_or_else(Text::default, |&rule| self.label(self.rule_name(rule)));
-        if let Some(tree) = &mut self.tree {
-            tree.enter(self.trail.len(), rule, shape.scope());
+        if self.tree.is_some() {
+            let rule = self.trail.last().map_or_else(Text::default, |&rule| self.label(self.rule_name(rule)));
+            if let Some(tree) = &mut self.tree {
+                tree.enter(level, rule, shape.scope());
+            }
         }
         Flow::Continue(())
     }
@@ -67,6 +69,16 @@ impl Env {
         let (name, level) = (self.leaf_name(rule), self.trail.len());
         let in_tree = self.tree.as_mut().map(|tree| tree.symbol(level, name, shape.scope()));
         RecordedShape { in_tree, node: self.keys().map_or_else(TreeNode::default, |keys| keys.symbol(level)) }
+    }
+
+    /// Counts a leaf symbol in a run that needs no more of leaves. Returns false if it does: it records its tree, or collects closed shapes.
+    pub(crate) fn only_counts_symbol(&mut self) -> bool {
+        if self.tree.is_some() || self.collects_occluders() {
+            return false;
+        }
+        let level = self.trail.len();
+        self.keys().into_iter().for_each(|keys| keys.count_symbol(level));
+        true
     }
 
     /// Records that a shape was a leaf.

@@ -5,7 +5,6 @@ use glam::{DAffine3, DMat3};
 use crate::geometry::relation::{Occluder, QueryGeometry, Relation};
 use crate::shape::Geometry;
 use crate::shape::body::Body;
-use crate::shape::filled_scope;
 use crate::shape::scope::Scope;
 
 /// The box of a scope, as a map of the unit box.
@@ -31,10 +30,13 @@ pub(crate) fn relation(body: &Body, ask: &mut dyn FnMut(&QueryGeometry<'_>) -> R
     let scope = &body.scope;
     match &body.geometry {
         Geometry::Empty => Relation::NONE,
-        Geometry::Box(_) => ask(&QueryGeometry::cuboid(cuboid(scope))),
-        Geometry::Rect(axis, unit) => {
-            let quad = filled_scope::rectangle(scope, *axis, *unit);
-            ask(&QueryGeometry::rectangle(quad.origin, [quad.u, quad.v]))
+        Geometry::Box(_) => ask(&QueryGeometry::oriented(scope.centre(), scope.axes, scope.size * 0.5)),
+        Geometry::Rect(axis, _) => {
+            // The rectangle is on the low side of the scope.
+            let mut size = scope.size;
+            size[axis.index()] = 0.0;
+            let half = size * 0.5;
+            ask(&QueryGeometry::oriented(scope.origin + scope.axes * half, scope.axes, half))
         }
         Geometry::Mesh(placed) => {
             ask(&QueryGeometry::mesh(&placed.mesh, scope.placement() * placed.to_scope(scope.size)))

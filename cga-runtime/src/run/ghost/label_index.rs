@@ -70,9 +70,13 @@ impl LabelIndex {
             let boxes: Vec<Bounds> = list.shapes.iter().map(|(_, shape)| shape.around()).collect();
             BoundsTree::of(&boxes)
         });
+        let mut nearest = least;
         tree.least(&Bounds::of(scope.corners()), least, |item| {
             let (number, shape) = &list.shapes[item as usize];
-            if Some(*number) == without { f64::INFINITY } else { shape.distance_to(scope) }
+            if Some(*number) != without {
+                nearest = nearest.min(shape.distance_to(scope, nearest));
+            }
+            nearest
         })
     }
 }

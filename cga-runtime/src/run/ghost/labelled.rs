@@ -55,9 +55,9 @@ impl LabelledShape {
         LabelledShape { scope: body.scope, bounds: body.bounds(), area: body.area() }
     }
 
-    /// The distance from its scope to another scope, in metres.
-    pub(crate) fn distance_to(&self, scope: &Scope) -> f64 {
-        scope_distance::distance(&self.scope, scope)
+    /// The distance from its scope to another scope, in metres. If it is not less than `least`, the result is not less either.
+    pub(crate) fn distance_to(&self, scope: &Scope, least: f64) -> f64 {
+        scope_distance::distance(&self.scope, scope, least)
     }
 
     /// The box around its scope, along the axes of the world.

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use super::body;
 use crate::geometry::relation::{Occluders, QueryGeometry, Relation};
-use crate::run::tree_keys::{TreeKeys, TreeNode};
+use crate::run::tree_keys::{Place, TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;
 
@@ -59,16 +59,20 @@ impl GhostOccluders {
         query: &QueryGeometry<'_>,
         wanted: Relation,
         label: Option<&str>,
-        place: Option<&[u32]>,
+        place: Option<Place<'_>>,
     ) -> Relation {
         if self.list.is_empty() {
             return Relation::NONE;
         }
         let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
-        self.solids.get_or_init(occluders).query(query, wanted, &mut |number| {
-            let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
-            label.is_none_or(|label| own.as_deref() == Some(label))
-                && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
-        })
+        let solids = self.solids.get_or_init(occluders);
+        solids.query(query, wanted, &mut |number| self.counts(number, label, place))
+    }
+
+    /// Returns true if a shape counts for a query with a label and a place.
+    fn counts(&self, number: u32, label: Option<&str>, place: Option<Place<'_>>) -> bool {
+        let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
+        label.is_none_or(|label| own.as_deref() == Some(label))
+            && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
     }
 }
