@@ -107,6 +107,7 @@ const CRATES: &[Layers] = &[
             "error",
             "rule_file",
             "rule_loader",
+            "live",
         ],
     },
 ];
