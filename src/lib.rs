@@ -3,6 +3,7 @@
 #![cfg_attr(docsrs, doc = concat!("[picture]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/readme.png"))]
 #![cfg_attr(docsrs, doc = concat!("[tutorial]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/tutorial.md"))]
 #![cfg_attr(docsrs, doc = concat!("[recipes]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md"))]
+#![cfg_attr(docsrs, doc = concat!("[writing]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/writing.md"))]
 #![cfg_attr(docsrs, doc = concat!("[diagnostics]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md"))]
 #![cfg_attr(docsrs, doc = concat!("[editor]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/editor.md"))]
 #![cfg_attr(docsrs, doc = concat!("[performance]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md"))]
@@ -12,6 +13,7 @@
 #![cfg_attr(not(docsrs), doc = "[picture]: ../../../docs/readme.png")]
 #![cfg_attr(not(docsrs), doc = "[tutorial]: ../../../docs/guide/tutorial.md")]
 #![cfg_attr(not(docsrs), doc = "[recipes]: ../../../docs/guide/recipes.md")]
+#![cfg_attr(not(docsrs), doc = "[writing]: ../../../docs/guide/writing.md")]
 #![cfg_attr(not(docsrs), doc = "[diagnostics]: ../../../docs/diagnostics.md")]
 #![cfg_attr(not(docsrs), doc = "[editor]: ../../../docs/editor.md")]
 #![cfg_attr(not(docsrs), doc = "[performance]: ../../../docs/performance.md")]
@@ -334,3 +336,7 @@ pub mod words;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/guide/recipes.md")]
 mod recipes {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/writing.md")]
+mod writing {}
