@@ -48,7 +48,9 @@ fn next(changes: &Receiver<notify::Result<Event>>, sources: &Sources) -> Result<
             break;
         }
     }
-    while changes.recv_timeout(TOGETHER).is_ok() {}
+    // For a fixed time: programs that look at files in the folder make events without end.
+    std::thread::sleep(TOGETHER);
+    changes.try_iter().for_each(drop);
     Ok(true)
 }
 

@@ -58,9 +58,10 @@ impl Watcher {
     }
 }
 
-/// Takes the changes that follow closely.
+/// Takes the changes that follow closely. It takes a fixed time: programs that look at files in the folder make events without end.
 fn drain(changes: &Receiver<notify::Result<Event>>) {
-    while changes.recv_timeout(TOGETHER).is_ok() {}
+    std::thread::sleep(TOGETHER);
+    changes.try_iter().for_each(drop);
 }
 
 /// Returns true for a change of a rule file.
