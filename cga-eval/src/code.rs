@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga_lang::ir::Type;
-use cga_runtime::rt::{Align, Arm, Components, Mode, Select, Shape, Value, Word};
+use cga_runtime::rt::{Align, Arm, Components, Mode, Select, Shape, Text, Value, Word};
 
 use crate::dispatch::FunctionCall;
 use crate::object::Object;
@@ -69,11 +69,11 @@ pub(crate) enum Instruction {
     /// Adds whether the site is one of these.
     Site(Box<[u32]>),
     /// Adds a placeholder, with a fault.
-    Later(Type, &'static str),
+    Later(Type, Text),
     /// Replaces a text by a file that is searched from a folder.
-    File(&'static str),
+    File(Text),
     /// Replaces texts by files that are searched from a folder.
-    Files(&'static str),
+    Files(Text),
     /// Replaces a file by the name of an image in models.
     Image,
     /// Adds an array with a value for each component.

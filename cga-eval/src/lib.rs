@@ -7,7 +7,6 @@ mod compile;
 mod current;
 mod dispatch;
 mod error;
-mod intern;
 #[cfg(feature = "live")]
 mod live;
 mod object;

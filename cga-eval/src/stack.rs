@@ -81,8 +81,8 @@ impl Stack {
     pub(crate) fn file(&mut self) -> File {
         match self.objects.pop() {
             Some(Object::File(file)) => *file,
-            Some(Object::Text(name)) => File::new(name, ""),
-            _ => File::new(Text::default(), ""),
+            Some(Object::Text(name)) => File::new(name, Text::default()),
+            _ => File::new(Text::default(), Text::default()),
         }
     }
 
@@ -90,8 +90,8 @@ impl Stack {
     pub(crate) fn files(&mut self) -> Files {
         match self.objects.pop() {
             Some(Object::Files(files)) => *files,
-            Some(Object::Texts(names)) => Files::new(names, ""),
-            _ => Files::new(Array::default(), ""),
+            Some(Object::Texts(names)) => Files::new(names, Text::default()),
+            _ => Files::new(Array::default(), Text::default()),
         }
     }
 

@@ -91,7 +91,6 @@ const CRATES: &[Layers] = &[
     Layers {
         package: "cga-eval",
         layers: &[
-            "intern",
             "object",
             "stack",
             "current",

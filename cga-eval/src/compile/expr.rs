@@ -7,14 +7,13 @@ use cga_lang::ir::{
     Arg, Arm, Binary, Comp, EachUnary, Expr, ExprKind, Global, GlobalId, Grammar, Param, Selector, Type, Value,
 };
 use cga_lang::ops::ParamKind;
-use cga_runtime::rt::{self, Select, func};
+use cga_runtime::rt::{self, Select, Text, func};
 
 use super::arrays;
 use super::problems::Problems;
 use super::registered::Registered;
 use crate::code::{ArmsCode, Code, CompCode, HostCall, Instruction, NumberOperator, Sites, mode};
 use crate::dispatch::{self, FunctionCall};
-use crate::intern::intern;
 use crate::object::{constant, is_number};
 use crate::program::Slot;
 use crate::stack::Stack;
@@ -162,7 +161,7 @@ impl Compiler<'_> {
                 values.for_each(|(arg, _)| self.expr(arg, locals, steps));
                 match dispatch::function(function, args) {
                     Some(call) => steps.call(call),
-                    None => steps.add(Instruction::Later(expr.ty, function.name)),
+                    None => steps.add(Instruction::Later(expr.ty, Text::fixed(function.name))),
                 }
             }
             ExprKind::Rust(path, args) => {
@@ -176,7 +175,7 @@ impl Compiler<'_> {
             }
             ExprKind::Shape(attr) => match dispatch::read(attr) {
                 Some(call) => steps.call(call),
-                None => steps.add(Instruction::Later(expr.ty, attr.name)),
+                None => steps.add(Instruction::Later(expr.ty, Text::fixed(attr.name))),
             },
             ExprKind::Comp(comp) => self.comp(comp, expr.ty, locals, steps),
             ExprKind::Word(word) => {
@@ -186,7 +185,7 @@ impl Compiler<'_> {
             }
             ExprKind::Style(styles) => steps.add(Instruction::Style(styles.clone().into())),
             ExprKind::Site(sites) => steps.add(Instruction::Site(sites.clone().into())),
-            ExprKind::Later(what) => steps.add(Instruction::Later(expr.ty, intern(what))),
+            ExprKind::Later(what) => steps.add(Instruction::Later(expr.ty, what.as_str().into())),
             ExprKind::Array(rows) => {
                 self.parts(rows.iter().flatten(), locals, steps);
                 let types = rows.iter().map(|row| row.iter().map(|entry| entry.ty).collect()).collect();
@@ -242,7 +241,7 @@ impl Compiler<'_> {
             }
             ExprKind::File(name, folder) => {
                 self.expr(name, locals, steps);
-                let folder = intern(folder);
+                let folder = Text::from(folder.as_str());
                 steps.add(if name.ty.is_array() { Instruction::Files(folder) } else { Instruction::File(folder) });
             }
             ExprKind::ToText(inner) => {
@@ -329,7 +328,7 @@ impl Compiler<'_> {
                 Selector::Index(_) => Select::Index(0.0),
                 Selector::When(_) => Select::When,
             };
-            rt::Arm { select, mode: mode(arm.mode), text: intern(&arm.text) }
+            rt::Arm { select, mode: mode(arm.mode), text: Text::from(arm.text.as_str()) }
         });
         ArmsCode::new(table.collect(), indices, conditions.collect())
     }

@@ -8,7 +8,6 @@ use cga_runtime::rt::ChangePlace;
 use super::expr::{Compiler, Locals, Steps, spelling};
 use crate::code::{Code, Sites};
 use crate::dispatch::{self, FunctionCall};
-use crate::intern::intern;
 use crate::steps::{
     Body, End, HostStep, MaterialStep, RenewStep, RuleCall, RuleCode, SlimStep, StepCode, TargetCode, WholeStep,
 };
@@ -146,7 +145,7 @@ impl Compiler<'_> {
     /// A step that makes children.
     fn step(&self, step: &Step, at: InRule<'_>, number: u32, is_last: bool) -> Option<StepCode> {
         Some(match &step.kind {
-            StepKind::Later(what) => StepCode::Later(intern(what)),
+            StepKind::Later(what) => StepCode::Later(what.as_str().into()),
             StepKind::Give(target) => StepCode::Give { target: self.target(target, at), number, is_last },
             StepKind::Renew(call) => StepCode::Renew(Box::new(self.renew(call, at, number))),
             StepKind::Push(steps) => StepCode::Push(self.body(steps, at, 0, false, true), number),

@@ -173,11 +173,11 @@ impl Values {
             Instruction::Later(ty, what) => placeholder(stack, env, *ty, what),
             Instruction::File(folder) => {
                 let name = stack.text();
-                stack.objects.push(Object::File(Box::new(File::new(name, folder))));
+                stack.objects.push(Object::File(Box::new(File::new(name, folder.clone()))));
             }
             Instruction::Files(folder) => {
                 let names = stack.texts();
-                stack.objects.push(Object::Files(Box::new(Files::new(names, folder))));
+                stack.objects.push(Object::Files(Box::new(Files::new(names, folder.clone()))));
             }
             Instruction::Image => {
                 let file = stack.file();
@@ -300,7 +300,7 @@ fn texts(operator: NumberOperator, a: &Text, b: &Text) -> bool {
 }
 
 /// The value of something that does not run yet.
-fn placeholder(stack: &mut Stack, env: &mut Env, ty: Type, what: &'static str) {
+fn placeholder(stack: &mut Stack, env: &mut Env, ty: Type, what: &str) {
     match ty {
         Type::Float => stack.push_float(later::float(env, what)),
         Type::Bool => stack.push_bool(later::bool(env, what)),

@@ -88,7 +88,7 @@ impl Generator<'_> {
                 ArmMode::Connected => code!(Connected),
             };
             let text = &arm.text;
-            code!(cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: #text })
+            code!(cga_rt::Arm { select: cga_rt::Select::#select, mode: cga_rt::Mode::#mode, text: cga_rt::Text::fixed(#text) })
         });
         code!([#(#table),*])
     }

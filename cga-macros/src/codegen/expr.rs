@@ -173,9 +173,9 @@ impl Generator<'_> {
             ExprKind::File(name, folder) => {
                 let (is_array, name) = (name.ty.is_array(), self.expr(name, at));
                 if is_array {
-                    code!(cga_rt::Files::new(#name, #folder))
+                    code!(cga_rt::Files::new(#name, cga_rt::Text::fixed(#folder)))
                 } else {
-                    code!(cga_rt::File::new(#name, #folder))
+                    code!(cga_rt::File::new(#name, cga_rt::Text::fixed(#folder)))
                 }
             }
             // It came in as text.

@@ -13,20 +13,20 @@ pub struct File {
     /// The name as written in the rules.
     pub(crate) name: Text,
     /// A path relative to the package or the asset folder. Empty for rules that are not in a file.
-    pub(crate) folder: &'static str,
+    pub(crate) folder: Text,
 }
 
 impl File {
     /// A name in a rule file in the folder `folder`.
     #[inline]
-    pub fn new(name: Text, folder: &'static str) -> Self {
+    pub fn new(name: Text, folder: Text) -> Self {
         File { name, folder }
     }
 }
 
 impl From<&str> for File {
     fn from(name: &str) -> Self {
-        File::new(name.into(), "")
+        File::new(name.into(), Text::default())
     }
 }
 
@@ -34,13 +34,13 @@ impl From<&str> for File {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Files {
     pub(crate) names: Array<Text>,
-    pub(crate) folder: &'static str,
+    pub(crate) folder: Text,
 }
 
 impl Files {
     /// Names in a rule file in the folder `folder`.
     #[inline]
-    pub fn new(names: Array<Text>, folder: &'static str) -> Self {
+    pub fn new(names: Array<Text>, folder: Text) -> Self {
         Files { names, folder }
     }
 }

@@ -43,9 +43,9 @@ impl<'a> Arms<'a> {
         let count = self.shape.to_mesh().corners().len() as f64;
         let wrapped = |arm: &Arm| match arm.select {
             Select::Index(index) if index.is_finite() && 0.0 < count => {
-                Arm { select: Select::Index(index.rem_euclid(count)), ..*arm }
+                Arm { select: Select::Index(index.rem_euclid(count)), ..arm.clone() }
             }
-            _ => *arm,
+            _ => arm.clone(),
         };
         let arms: Vec<Arm> = self.arms.iter().map(wrapped).collect();
         edges(env, self.shape, &arms, uv_set, &mut *self.when)
@@ -58,7 +58,7 @@ pub(crate) fn face_edges(
     shape: &Shape,
     words: impl IntoIterator<Item = Word>,
 ) -> ControlFlow<(), Vec<Option<u32>>> {
-    let arm = |word: Word| Arm { select: Select::Word(word), mode: Mode::Each, text: "" };
+    let arm = |word: Word| Arm { select: Select::Word(word), mode: Mode::Each, text: "".into() };
     let arms: Vec<Arm> = words.into_iter().map(arm).collect();
     edges(env, shape, &arms, 0, &mut never)
 }

@@ -33,6 +33,7 @@ use crate::shape::scope::Scope;
 use crate::shape::seed::{self, Seed, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
+use crate::value::text::Text;
 
 pub use arms::divide;
 pub(crate) use arms::{Arms, face_edges};
@@ -83,14 +84,14 @@ pub enum Align {
 }
 
 /// A `selector : …`, `selector = …` or `selector =: …` of a comp.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Arm {
     /// The components that it takes.
     pub select: Select,
     /// The shapes that it makes of them.
     pub mode: Mode,
     /// `comp.sel`.
-    pub text: &'static str,
+    pub text: Text,
 }
 
 /// The components that an arm takes.
@@ -390,7 +391,7 @@ impl<'s> AssignedComponents<'s> {
             seed: Seed::new(seed::part(parent.seed.value(), component, 0)),
             split: parent.split,
             comp,
-            selector: arm.text,
+            selector: arm.text.clone(),
             trims: parent.trims.with(&parent.pivot, own, &pivot),
             state: parent.state.clone(),
         }

@@ -28,7 +28,7 @@ const KINDS: [Components; 8] = [
 ];
 
 fn arm(word: Word, mode: Mode) -> Arm {
-    Arm { select: Select::Word(word), mode, text: "" }
+    Arm { select: Select::Word(word), mode, text: "".into() }
 }
 
 /// The parts of a comp: arm, members and shape of each.

@@ -5,46 +5,46 @@ use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// An operation that is not implemented: the shape stays as it is.
-pub fn operation(env: &mut Env, name: &'static str) {
+pub fn operation(env: &mut Env, name: &str) {
     env.not_implemented(name, "the shape stays as it is");
 }
 
 /// A function or attribute that is not implemented: 0.
-pub fn float(env: &mut Env, name: &'static str) -> f64 {
+pub fn float(env: &mut Env, name: &str) -> f64 {
     env.not_implemented(name, "it gives 0");
     0.0
 }
 
 /// A function or attribute that is not implemented: false.
-pub fn bool(env: &mut Env, name: &'static str) -> bool {
+pub fn bool(env: &mut Env, name: &str) -> bool {
     env.not_implemented(name, "it gives false");
     false
 }
 
 /// A function or attribute that is not implemented: empty text.
-pub fn text(env: &mut Env, name: &'static str) -> Text {
+pub fn text(env: &mut Env, name: &str) -> Text {
     env.not_implemented(name, "it gives empty text");
     Text::default()
 }
 
 /// A function or attribute that is not implemented: an empty array.
-fn array<T>(env: &mut Env, name: &'static str) -> Array<T> {
+fn array<T>(env: &mut Env, name: &str) -> Array<T> {
     env.not_implemented(name, "it gives an empty array");
     Array::default()
 }
 
 /// A function or attribute that is not implemented: an empty array of numbers.
-pub fn floats(env: &mut Env, name: &'static str) -> Array<f64> {
+pub fn floats(env: &mut Env, name: &str) -> Array<f64> {
     array(env, name)
 }
 
 /// A function or attribute that is not implemented: an empty array of truth values.
-pub fn bools(env: &mut Env, name: &'static str) -> Array<bool> {
+pub fn bools(env: &mut Env, name: &str) -> Array<bool> {
     array(env, name)
 }
 
 /// A function or attribute that is not implemented: an empty array of texts.
-pub fn texts(env: &mut Env, name: &'static str) -> Array<Text> {
+pub fn texts(env: &mut Env, name: &str) -> Array<Text> {
     array(env, name)
 }
 

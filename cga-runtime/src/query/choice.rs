@@ -12,7 +12,7 @@ use crate::value::text::Text;
 
 /// The files that a query finds.
 fn found(env: &mut Env, query: &File) -> Vec<File> {
-    env.files(query).iter().map(|name| File::new(name.clone(), query.folder)).collect()
+    env.files(query).iter().map(|name| File::new(name.clone(), query.folder.clone())).collect()
 }
 
 /// The name of the best file; empty if there are none.
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(by(RatioAxes::Xz), "b.obj;c.obj;flat.obj;d.obj;a.obj;");
         assert_eq!(by(RatioAxes::Xyz), "flat.obj;a.obj;b.obj;c.obj;d.obj;");
         let names = |list: &[&str]| -> Array<Text> { list.iter().map(|name| Text::from(*name)).collect() };
-        let files = Files::new(names(&["a.obj", "none.obj", "b.obj"]), "");
+        let files = Files::new(names(&["a.obj", "none.obj", "b.obj"]), Text::fixed(""));
         let shape = &mut Shape::cuboid(2.0, 1.0, 1.0);
         assert_eq!(assets_sort_ratio_array(env, shape, files.clone(), RatioAxes::Xyz), names(&["b.obj", "a.obj"]));
         assert_eq!(assets_sort_size_array(env, shape, files, SizeAxes::Xyz, 0.5), names(&["b.obj"]));
@@ -188,12 +188,12 @@ mod tests {
     fn names_are_relative_to_the_rule_file() {
         let env = &mut env(boxes(&[("c.obj", [1.0; 3]), ("rules/assets/a.obj", [3.0; 3]), ("rules/b.obj", [2.0; 3])]));
         let shape = &mut Shape::cuboid(3.0, 3.0, 3.0);
-        let list = File::new("c.obj;b.obj;a.obj;".into(), "rules");
+        let list = File::new("c.obj;b.obj;a.obj;".into(), Text::fixed("rules"));
         assert_eq!(assets_sort_size(env, shape, list, SizeAxes::X, 0.0).as_str(), "a.obj;b.obj;c.obj;");
-        let array = Files::new(["b.obj", "a.obj"].map(Text::from).into_iter().collect(), "rules");
+        let array = Files::new(["b.obj", "a.obj"].map(Text::from).into_iter().collect(), Text::fixed("rules"));
         let sorted = assets_sort_size_array(env, shape, array, SizeAxes::X, 0.0);
         assert_eq!(sorted.as_slice(), ["a.obj", "b.obj"].map(Text::from));
-        let found = asset_best_size(env, shape, File::new("*a.obj".into(), "rules"), "x".into());
+        let found = asset_best_size(env, shape, File::new("*a.obj".into(), Text::fixed("rules")), "x".into());
         assert_eq!(found.as_str(), "rules/assets/a.obj", "as `fileSearch` writes it");
         assert_eq!(env.take_faults().0.len(), 0);
     }
@@ -208,7 +208,7 @@ mod tests {
         let list = "square.png;wide.png;broken.png;";
         assert_eq!(images_sort_ratio(env, shape, list.into(), ImageAxes::Xy).as_str(), "wide.png;square.png;");
         assert_eq!(images_sort_ratio(env, shape, list.into(), ImageAxes::Yx).as_str(), "square.png;wide.png;");
-        let array = Files::new(["wide.png", "square.png"].map(Text::from).into_iter().collect(), "");
+        let array = Files::new(["wide.png", "square.png"].map(Text::from).into_iter().collect(), Text::fixed(""));
         let sorted = images_sort_ratio_array(env, shape, array, ImageAxes::Zy);
         assert_eq!(sorted.as_slice(), ["square.png", "wide.png"].map(Text::from));
         assert_eq!(image_best_ratio(env, shape, "*.png".into(), "yz".into()).as_str(), "wide.png");
@@ -243,7 +243,7 @@ mod tests {
         assert_eq!(asset_fit_size(env, shape, query(), "xyz".into(), 0.001).as_str(), "", "none fits");
         assert_eq!(asset_best_size(env, shape, "*.gltf".into(), "x".into()).as_str(), "", "none is found");
         assert_eq!(env.take_faults().0.len(), 0);
-        assert_eq!(asset_best_size(env, shape, query(), "xw".into()).as_str(), "");
+        assert_eq!(asset_best_size(env, shape, query(), "xw".into()).as_str(), Text::fixed(""));
         let (faults, _) = env.take_faults();
         let message = "`xw` does not name axes; write `x`, `y`, `z`, `xy`, `xz`, `yz`, `xyz`; no file is chosen";
         assert_eq!(faults[0].message, message);

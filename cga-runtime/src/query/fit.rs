@@ -219,12 +219,12 @@ pub(super) fn images_by_ratio(env: &mut Env, shape: &impl View, files: Vec<File>
 /// The files of a list in text.
 fn listed(list: &File) -> Vec<File> {
     let names = list.name.split(';').filter(|name| !name.is_empty());
-    names.map(|name| File::new(Text::from(name), list.folder)).collect()
+    names.map(|name| File::new(Text::from(name), list.folder.clone())).collect()
 }
 
 /// The files of an array.
 fn of_array(files: &Files) -> Vec<File> {
-    files.names.as_slice().iter().map(|name| File::new(name.clone(), files.folder)).collect()
+    files.names.as_slice().iter().map(|name| File::new(name.clone(), files.folder.clone())).collect()
 }
 
 fn as_list(env: &mut Env, files: Vec<(File, f64)>) -> Text {

@@ -73,7 +73,7 @@ pub fn uid(env: &Env) -> f64 {
 
 /// The selector that made this component.
 pub fn comp_sel(shape: &Shape) -> Text {
-    Text::fixed(shape.selector)
+    shape.selector.clone()
 }
 
 macro_rules! material_numbers {

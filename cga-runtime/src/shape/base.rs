@@ -12,6 +12,7 @@ use crate::shape::scope::Scope;
 use crate::shape::texture::kept::KeptMaps;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
+use crate::value::text::Text;
 
 /// A whole shape that slim shapes borrow from. The rule or the split that made it holds it.
 #[derive(Debug)]
@@ -68,7 +69,7 @@ impl Base {
             seed: part.seed.get(),
             split: part.split.get(),
             comp: Counter::NONE,
-            selector: "",
+            selector: Text::default(),
             trims: Trims::None,
             state: part.base.shape.state.clone(),
         };

@@ -163,7 +163,7 @@ impl Shape {
             seed: Seed::new(0),
             split: Counter::NONE,
             comp: Counter::NONE,
-            selector: "",
+            selector: Text::default(),
             trims: Trims::None,
             state: StateRef::UNSET,
         };

@@ -46,6 +46,7 @@ use crate::shape::state::StateRef;
 use crate::shape::texture::Coordinates;
 use crate::shape::trim::Trims;
 use crate::shape::unit::UnitMesh;
+use crate::value::text::Text;
 
 pub use edge_attributes::EdgeAttribute;
 pub(crate) use placed::{Inserted, Placed, PlacedWire};
@@ -61,7 +62,7 @@ pub struct Shape {
     pub(crate) split: Counter,
     pub(crate) comp: Counter,
     /// `comp.sel`.
-    pub(crate) selector: &'static str,
+    pub(crate) selector: Text,
     pub(crate) trims: Trims,
     pub(crate) state: StateRef,
 }

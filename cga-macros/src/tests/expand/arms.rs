@@ -15,12 +15,12 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Shape),
                     mode: cga_rt::Mode::Each,
-                    text: "shape",
+                    text: cga_rt::Text::fixed("shape"),
                 },
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Remainder),
                     mode: cga_rt::Mode::Together,
-                    text: "remainder",
+                    text: cga_rt::Text::fixed("remainder"),
                 },
             ];
             cga_rt::divide(

@@ -13,17 +13,17 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Side),
                     mode: cga_rt::Mode::Each,
-                    text: "side",
+                    text: cga_rt::Text::fixed("side"),
                 },
                 cga_rt::Arm {
                     select: cga_rt::Select::Index(4f64),
                     mode: cga_rt::Mode::Together,
-                    text: "4",
+                    text: cga_rt::Text::fixed("4"),
                 },
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::All),
                     mode: cga_rt::Mode::Each,
-                    text: "all",
+                    text: cga_rt::Text::fixed("all"),
                 },
             ];
             cga_rt::comp(
@@ -70,12 +70,12 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::When,
                     mode: cga_rt::Mode::Connected,
-                    text: "border && scope.sx > n",
+                    text: cga_rt::Text::fixed("border && scope.sx > n"),
                 },
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::ObjectTop),
                     mode: cga_rt::Mode::Each,
-                    text: "object.top",
+                    text: cga_rt::Text::fixed("object.top"),
                 },
             ];
             cga_rt::comp(

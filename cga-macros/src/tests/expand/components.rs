@@ -45,12 +45,12 @@ impl CgaRules {
                     cga_rt::Arm {
                         select: cga_rt::Select::When,
                         mode: cga_rt::Mode::Each,
-                        text: "tall(h) || border",
+                        text: cga_rt::Text::fixed("tall(h) || border"),
                     },
                     cga_rt::Arm {
                         select: cga_rt::Select::Index(0f64),
                         mode: cga_rt::Mode::Together,
-                        text: "0",
+                        text: cga_rt::Text::fixed("0"),
                     },
                 ];
                 cga_rt::comp_values(
@@ -75,7 +75,7 @@ impl CgaRules {
                                         cga_rt::Arm {
                                             select: cga_rt::Select::Word(cga_rt::Word::StreetFront),
                                             mode: cga_rt::Mode::Each,
-                                            text: "street.front",
+                                            text: cga_rt::Text::fixed("street.front"),
                                         },
                                     ];
                                     cga_rt::comp_values(

@@ -50,12 +50,12 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Top),
                     mode: cga_rt::Mode::Each,
-                    text: "top",
+                    text: cga_rt::Text::fixed("top"),
                 },
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Side),
                     mode: cga_rt::Mode::Each,
-                    text: "side",
+                    text: cga_rt::Text::fixed("side"),
                 },
             ];
             cga_rt::comp_and_rest(

@@ -18,7 +18,7 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::Remainder),
                     mode: cga_rt::Mode::Together,
-                    text: "remainder",
+                    text: cga_rt::Text::fixed("remainder"),
                 },
             ];
             cga_rt::sections(
@@ -69,7 +69,7 @@ impl CgaRules {
                             cga_rt::Arm {
                                 select: cga_rt::Select::Word(cga_rt::Word::All),
                                 mode: cga_rt::Mode::Each,
-                                text: "all",
+                                text: cga_rt::Text::fixed("all"),
                             },
                         ];
                         cga_rt::comp_values(
@@ -94,7 +94,7 @@ impl CgaRules {
                 cga_rt::Arm {
                     select: cga_rt::Select::Word(cga_rt::Word::All),
                     mode: cga_rt::Mode::Each,
-                    text: "all",
+                    text: cga_rt::Text::fixed("all"),
                 },
             ];
             cga_rt::divide(

@@ -116,7 +116,7 @@ fn edges_of_a_roof_run_upwards_whoever_finds_them() {
         let turn = DMat3::from_rotation_y(f64::from(turn).to_radians());
         let turned = roof.map(&DAffine3 { matrix3: turn, translation: DVec3::splat(1e5) });
         let (env, shape) = (&mut Env::for_tests(), Shape::mesh_axis_aligned(turned));
-        let any = [Arm { select: Select::When, mode: Mode::Each, text: "hip || ridge" }];
+        let any = [Arm { select: Select::When, mode: Mode::Each, text: "hip || ridge".into() }];
         let found = AssignedComponents::of(env, &shape, Components::Edges, Align::ZUp, &any, |_, _, candidate| {
             candidate.is(Word::Hip) || candidate.is(Word::Ridge)
         });

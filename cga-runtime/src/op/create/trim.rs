@@ -70,7 +70,7 @@ mod tests {
 
     /// The results of `work` for each face, by number.
     fn on_faces(shape: &Shape, mut work: impl FnMut(&mut Env, &mut Shape) -> f64) -> Vec<f64> {
-        let arms = [Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" }];
+        let arms = [Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all".into() }];
         let (env, mut shape) = (&mut Env::for_tests(), shape.clone());
         comp_values(env, &mut shape, Components::Faces, Align::ZUp, &arms, never, |env, _, part| work(env, part))
             .as_slice()

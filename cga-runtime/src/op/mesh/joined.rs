@@ -20,7 +20,8 @@ pub(in crate::op) fn retain_parts<T>(list: &mut Vec<T>, leaf: impl Fn(&T) -> &Sh
 
 /// Replaces the current shape by a leaf, except for its place in the derivation.
 pub(in crate::op) fn replace_by(shape: &mut Shape, leaf: Shape) {
-    let Shape { seed, split, comp, selector, .. } = *shape;
+    let Shape { seed, split, comp, ref selector, .. } = *shape;
+    let selector = selector.clone();
     *shape = Shape { seed, split, comp, selector, ..leaf };
 }
 

@@ -16,32 +16,32 @@ pub(super) struct FaultList {
     /// The faults of files by their messages, as indices of the list.
     pub(super) of_files: BTreeMap<String, usize>,
     /// The texts reported so far of those that are reported once a run: names that are not implemented, messages.
-    pub(super) said_once: Vec<&'static str>,
+    pub(super) said_once: Vec<String>,
     /// The number of attempts to report such a text, and of repetitions of counted faults.
     pub(super) said_again: u64,
 }
 
 impl Env {
     /// Records a fault unless it was recorded before.
-    pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &'static str) {
+    pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &str) {
         if self.is_new(message) {
             self.fault(kind, message);
         }
     }
 
     /// Records that something is not implemented, once a run.
-    pub(crate) fn not_implemented(&mut self, name: &'static str, instead: &str) {
+    pub(crate) fn not_implemented(&mut self, name: &str, instead: &str) {
         if self.is_new(name) {
             self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
         }
     }
 
     /// Returns true if a text that is reported once a run was not reported yet.
-    fn is_new(&mut self, text: &'static str) -> bool {
+    fn is_new(&mut self, text: &str) -> bool {
         self.faults.said_again += 1;
-        let is_new = !self.faults.said_once.contains(&text);
+        let is_new = !self.faults.said_once.iter().any(|said| said == text);
         if is_new {
-            self.faults.said_once.push(text);
+            self.faults.said_once.push(text.to_owned());
         }
         is_new
     }

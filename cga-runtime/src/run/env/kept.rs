@@ -49,7 +49,7 @@ impl Env {
             return known.clone();
         }
         let asked = Query::new(&query.name);
-        let (found, cut_short) = self.settings.assets.search(&asked, query.folder);
+        let (found, cut_short) = self.settings.assets.search(&asked, &query.folder);
         let found: Rc<[Text]> = found.into();
         if let Some(why) = asked.trouble() {
             self.fault(FaultKind::Value, format!("a search for files is incomplete: {why}"));

@@ -30,7 +30,7 @@ impl LeafTables {
             seed: shape.seed.get(),
             split: shape.split.get(),
             comp: base.comp,
-            selector: base.selector,
+            selector: base.selector.clone(),
             trims: base.trims.clone(),
             state,
         }

@@ -13,7 +13,7 @@ use RectangleAlignment::{Edge, Scope};
 
 fn cut(shape: &Shape, alignment: RectangleAlignment) -> (Faces, usize) {
     let env = &mut Env::for_tests();
-    let arm = |word| Arm { select: Select::Word(word), mode: Mode::Each, text: "" };
+    let arm = |word| Arm { select: Select::Word(word), mode: Mode::Each, text: "".into() };
     let arms = [arm(Word::Shape), arm(Word::Remainder)];
     let mut test = never;
     let made = inner_rectangle(env, &mut Arms::new(shape, &arms, &mut test), alignment).continue_value().unwrap();

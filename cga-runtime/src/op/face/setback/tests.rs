@@ -5,9 +5,10 @@ use crate::comp::{Arm, Mode, Select, never};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::op::face::swept_edges::tests::{holed, lots, polygon, random};
 use crate::shape::Shape;
+use crate::value::text::Text;
 
 pub(in crate::op) const fn word(word: Word, text: &'static str) -> Arm {
-    Arm { select: Select::Word(word), mode: Mode::Each, text }
+    Arm { select: Select::Word(word), mode: Mode::Each, text: Text::fixed(text) }
 }
 
 pub(in crate::op) const ALL: Arm = word(Word::All, "all");
@@ -18,7 +19,7 @@ const BACK: Arm = word(Word::Back, "back");
 const RIGHT: Arm = word(Word::Right, "right");
 
 fn index(index: f64) -> Arm {
-    Arm { select: Select::Index(index), mode: Mode::Each, text: "index" }
+    Arm { select: Select::Index(index), mode: Mode::Each, text: "index".into() }
 }
 
 /// The faces that an operation makes, and the number of faults.

@@ -5,10 +5,11 @@ use crate::comp::{Arm, Mode, Select, never};
 use crate::geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 use crate::geometry::primitive::cube;
 use crate::shape::Shape;
+use crate::value::text::Text;
 
-pub(in crate::op) const ARMS: [Arm; 2] = [
-    Arm { select: Select::Word(Word::Shape), mode: Mode::Each, text: "shape" },
-    Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: "remainder" },
+pub(in crate::op) static ARMS: [Arm; 2] = [
+    Arm { select: Select::Word(Word::Shape), mode: Mode::Each, text: Text::fixed("shape") },
+    Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: Text::fixed("remainder") },
 ];
 
 /// For each face its arm, the number of its corners and its area.
@@ -249,9 +250,9 @@ fn parts_begin_with_their_first_edges() {
 fn an_arm_is_found_for_each_edge() {
     // As `setback` will ask: the first arm that selects the edge, with indices and words.
     let arms = [
-        Arm { select: Select::Index(2.0), mode: Mode::Each, text: "2" },
-        Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: "remainder" },
-        Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all" },
+        Arm { select: Select::Index(2.0), mode: Mode::Each, text: "2".into() },
+        Arm { select: Select::Word(Word::Remainder), mode: Mode::Each, text: Text::fixed("remainder") },
+        Arm { select: Select::Word(Word::All), mode: Mode::Each, text: "all".into() },
     ];
     let (env, shape) = (&mut Env::for_tests(), Shape::rectangle(2.0, 1.0));
     let mut never = never;
