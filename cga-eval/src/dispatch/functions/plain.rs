@@ -358,6 +358,11 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::text_to_float(a0);
             stack.push_float(value);
         }),
+        "text_to_text(text)" => FunctionCall::new(move |stack, _, _| {
+            let a0 = stack.text();
+            let value = func::text_to_text(a0);
+            stack.push_text(value);
+        }),
         "texts_from_bools(bools)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.bools();
             let value = func::texts_from_bools(a0);

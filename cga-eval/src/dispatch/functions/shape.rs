@@ -87,7 +87,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a2 = words::func_context_comparison(known.word(2)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::context_compare(env, shape, a0, a1, a2,));
+                let value = view!(env, current, |shape| func::context_compare(env, shape, a0, a1, a2,));
                 stack.push_float(value);
             })
         }
@@ -95,7 +95,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = words::func_query_target(known.word(0)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::context_count(env, shape, a0, a1,));
+                let value = view!(env, current, |shape| func::context_count(env, shape, a0, a1,));
                 stack.push_float(value);
             })
         }
@@ -338,7 +338,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = words::func_query_target(known.word(0)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::inside(env, shape, a0, a1,));
+                let value = view!(env, current, |shape| func::inside(env, shape, a0, a1,));
                 stack.push_bool(value);
             })
         }
@@ -364,7 +364,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = words::func_query_target(known.word(0)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::minimum_distance(env, shape, a0, a1,));
+                let value = view!(env, current, |shape| func::minimum_distance(env, shape, a0, a1,));
                 stack.push_float(value);
             })
         }
@@ -372,7 +372,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = words::func_query_target(known.word(0)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::overlaps(env, shape, a0, a1,));
+                let value = view!(env, current, |shape| func::overlaps(env, shape, a0, a1,));
                 stack.push_bool(value);
             })
         }
@@ -395,7 +395,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = words::func_query_target(known.word(0)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a1 = stack.text();
-                let value = whole!(env, current, |shape| func::touches(env, shape, a0, a1,));
+                let value = view!(env, current, |shape| func::touches(env, shape, a0, a1,));
                 stack.push_bool(value);
             })
         }
