@@ -101,6 +101,8 @@ pub(crate) enum WholeStep {
     Change { args: Code, change: Change, asks: bool, bakes: bool },
     /// An operation that reads the shape alone.
     Says(Code, FunctionCall),
+    /// A value of an attribute of shapes whose name is computed.
+    Named(Code, cga_lang::ir::Type),
     /// A value of an attribute of the grammar.
     Attribute(Code, u32, cga_lang::ir::Type),
     /// An operation of the host program.

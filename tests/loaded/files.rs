@@ -182,3 +182,39 @@ fn a_file_that_has_changed_is_read_again() {
     }
     fs::remove_dir_all(&folder).expect("the folder");
 }
+
+/// The file has a rule for each operation.
+#[test]
+fn every_operation_has_a_call() {
+    let loader = RuleFile::loader().root(root().join("tests"));
+    let rules = loader.open("rules/one_operation.cga").unwrap_or_else(|error| panic!("{error}"));
+    assert!(100 < rules.start_rules().len());
+}
+
+#[test]
+fn attributes_with_computed_names_are_set() {
+    cga! {
+        grammar Named = r#"
+            channel(name) = "material.color." + name
+            Lot --> set(sel(channel("r")), 0.25) set(sel("material." + "name"), "stone") print(material.color.r) print(material.name)
+                set(sel("trim." + "vertical"), false) print(trim.vertical) set(sel("lost." + "name"), 1) X.
+        "#;
+    }
+    let loaded = RuleFile::loader()
+        .named("Named")
+        .text(
+            r#"
+            channel(name) = "material.color." + name
+            Lot --> set(sel(channel("r")), 0.25) set(sel("material." + "name"), "stone") print(material.color.r) print(material.name)
+                set(sel("trim." + "vertical"), false) print(trim.vertical) set(sel("lost." + "name"), 1) X.
+        "#,
+        )
+        .unwrap_or_else(|error| panic!("{error}"));
+    let model = |grammar: &dyn Grammar| {
+        let model = grammar.generate(&Shape::rectangle(2.0, 3.0)).expect("a model");
+        let prints: Vec<String> = model.prints().iter().map(ToString::to_string).collect();
+        (prints, model.faults().len(), model.to_glb().expect("a file"))
+    };
+    assert_eq!(model(&loaded), model(&Named::default()));
+    assert_eq!(model(&loaded).0, ["0.25", "stone", "false"]);
+}

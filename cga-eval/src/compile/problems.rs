@@ -19,6 +19,15 @@ impl Problems {
         self.0.borrow_mut().extend(diags.finish());
     }
 
+    /// An operation that loaded rules cannot call.
+    pub(super) fn missing(&self, name: &str, span: Span) {
+        let mut diags = Diags::new();
+        diags
+            .report(Code::UnknownFunction, span, format!("`{name}` does not run in rules that are loaded"))
+            .help("compile the rules with `cga!`");
+        self.0.borrow_mut().extend(diags.finish());
+    }
+
     /// A value of Rust code, which only rules in Rust code can name.
     pub(super) fn captured(&self, span: Span) {
         let mut diags = Diags::new();

@@ -2,7 +2,7 @@
 
 use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
 use cga_lang::ir::{Arg, Block, BlockParts, Childless, Renew, Rule, RuleId, Step, StepKind, Target};
-use cga_lang::ops::{Changes, Operation};
+use cga_lang::ops::{Changes, Operation, SET_BY_NAME};
 use cga_runtime::rt::ChangePlace;
 
 use super::expr::{Compiler, Locals, Steps, spelling};
@@ -58,7 +58,7 @@ impl Compiler<'_> {
                 list.push(StepCode::Case(arms, otherwise));
                 return Body { steps: list.into(), end: End::Nothing, reads_scope };
             }
-            list.extend(self.step(step, at, number, rest.is_empty()));
+            list.extend(self.found(step, self.step(step, at, number, rest.is_empty())));
             number += step.children();
         }
         let end = match at.rule.leaf {
@@ -74,10 +74,19 @@ impl Compiler<'_> {
     /// Steps that change the current shape.
     fn changed(&self, steps: &[Step], at: InRule<'_>) -> StepCode {
         if let ChangeForm::Slim(changes) = self.plan.change_form(steps) {
-            let slim = steps.iter().zip(changes).filter_map(|(step, change)| self.slim(step, change, at));
+            let slim = steps.iter().zip(changes);
+            let slim = slim.filter_map(|(step, change)| self.found(step, self.slim(step, change, at)));
             return StepCode::Slim(slim.collect());
         }
-        StepCode::Whole(steps.iter().filter_map(|step| self.whole(step, at)).collect())
+        StepCode::Whole(steps.iter().filter_map(|step| self.found(step, self.whole(step, at))).collect())
+    }
+
+    /// Reports an operation without a call. The tests of the tables keep that from happening.
+    fn found<T>(&self, step: &Step, code: Option<T>) -> Option<T> {
+        if let (None, StepKind::Do(row, _) | StepKind::Block(Block { row, .. })) = (&code, &step.kind) {
+            self.problems.missing(row.name, step.span);
+        }
+        code
     }
 
     fn slim(&self, step: &Step, change: SlimChange, at: InRule<'_>) -> Option<SlimStep> {
@@ -110,6 +119,11 @@ impl Compiler<'_> {
 
     fn whole(&self, step: &Step, at: InRule<'_>) -> Option<WholeStep> {
         match &step.kind {
+            StepKind::Do(row, args) if row.run == SET_BY_NAME.run => {
+                let value =
+                    args.iter().rev().find_map(|arg| if let Arg::Value(value) = arg { Some(value) } else { None })?;
+                Some(WholeStep::Named(self.args(row.params, args, at.locals), value.ty))
+            }
             StepKind::Do(row, args) if row.changes == Changes::Nothing => {
                 let (args, call) = self.says(row, args, at)?;
                 Some(WholeStep::Says(args, call))

@@ -111,6 +111,12 @@ impl Values {
                 self.run(stack, env, &mut Current::Whole(shape), args, frame);
                 (call.0)(stack, env, &mut Current::Whole(shape));
             }
+            WholeStep::Named(args, ty) => {
+                self.run(stack, env, &mut Current::Whole(shape), args, frame);
+                let value = stack.value(*ty);
+                let name = stack.text();
+                rt::op::set_by_name(env, shape, name, value);
+            }
             WholeStep::Attribute(value, number, ty) => {
                 self.run(stack, env, &mut Current::Whole(shape), value, frame);
                 set::attribute(shape, *number, stack.value(*ty));
