@@ -6,6 +6,7 @@ use cga::{Assets, Grammar, Mesh, Shape};
 
 use crate::footprints;
 use crate::options::LotOptions;
+use crate::stream::say;
 
 /// The width and the depth of a lot that is not given, in metres.
 const USUAL: (f64, f64) = (20.0, 15.0);
@@ -18,7 +19,7 @@ pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Re
     if let Some(path) = &options.footprint {
         let text = std::fs::read_to_string(path).map_err(|why| unread(path, why))?;
         let (lots, notes) = footprints::lots(&text, grammar, seed).map_err(|why| unread(path, why))?;
-        notes.iter().for_each(|note| eprintln!("{}: {note}", path.display()));
+        notes.iter().for_each(|note| say(format_args!("{}: {note}", path.display())));
         return Ok(lots);
     }
     let shape = match &options.mesh {

@@ -60,7 +60,9 @@ impl Watcher {
 
 /// Takes the changes that follow closely.
 fn drain(changes: &Receiver<notify::Result<Event>>) {
-    while changes.recv_timeout(TOGETHER).is_ok() {}
+    // Other programs may read and write files of these folders all the time, so it does not wait for silence.
+    std::thread::sleep(TOGETHER);
+    changes.try_iter().for_each(drop);
 }
 
 /// Returns true for a change of a rule file.
