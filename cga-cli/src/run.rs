@@ -116,7 +116,7 @@ fn tell(options: &RunOptions, output: &Output) -> Result<(), String> {
     } else {
         print(&report.prints().iter().map(|print| format!("{print}\n")).collect::<String>())?;
     }
-    report.faults().iter().for_each(|fault| say(fault));
+    report.faults().iter().for_each(say);
     if 0 < report.faults_left_out() {
         say(format_args!("… and {} more faults", report.faults_left_out()));
     }
