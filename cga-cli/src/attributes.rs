@@ -1,24 +1,28 @@
 //! Lists attributes and start rules.
 
 use std::fmt::Write as _;
-use std::io::Write as _;
 
 use cga::{Attribute, Grammar, RuleFile};
 
 use crate::Status;
 use crate::options::AttributeOptions;
 use crate::run::load;
+use crate::stream::{print, say};
 
 pub(crate) fn command(options: &AttributeOptions) -> Status {
     match load(&options.rules) {
         Ok(rules) => {
             let text = if options.json { rules.attributes_json() + "\n" } else { table(&rules) };
-            // Whoever reads may stop reading.
-            let _ = std::io::stdout().lock().write_all(text.as_bytes());
-            Status::Success
+            print(&text).map_or_else(
+                |why| {
+                    say(why);
+                    Status::Unusable
+                },
+                |()| Status::Success,
+            )
         }
         Err(problem) => {
-            eprintln!("{}", problem.message);
+            say(problem.message);
             problem.status
         }
     }

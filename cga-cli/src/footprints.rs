@@ -1,15 +1,17 @@
 //! Lots from the polygons of a GeoJSON file, in metres around their middle.
 
-use cga::{Grammar, Shape, Value};
+use cga::{Grammar, Shape, Value, ValueType};
 use geo_types::{Coord, Geometry, LineString, MultiPolygon, Polygon};
-use geojson::{Feature, GeoJson, JsonObject, JsonValue};
+use geojson::{Feature, GeoJson, JsonValue};
 
-/// The lots of a file, and a note for each feature that has none. Lots have seeds from `seed` on, in the order of the file, so that each
-/// keeps its seed if others cannot be used.
+/// The lots of a file, and a note for each feature that has none and for each property that is not read. Lots have seeds from `seed` on, in
+/// the order of the file: each polygon counts, so that lots keep their seeds if others cannot be used.
 ///
 /// # Errors
 /// The text is not GeoJSON, its coordinates are not degrees, or no feature has a lot.
 pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64) -> Result<(Vec<Shape>, Vec<String>), String> {
+    // Some programs begin a file with a mark of its encoding.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let file: GeoJson = text.parse().map_err(|why| format!("it is not GeoJSON: {why}"))?;
     let features = match file {
         GeoJson::FeatureCollection(collection) => collection.features,
@@ -26,18 +28,23 @@ pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64) -> Result<(Vec<
     }
     let place = Place::of(polygons.iter().map(|(_, polygon)| polygon))?;
     let mut lots = Vec::new();
-    for (number, polygon) in polygons {
+    for (at, (number, polygon)) in (0..).zip(polygons) {
         let feature = &features[number];
         match Shape::try_from(&place.metres(&polygon)) {
             Ok(shape) => {
-                let shape = shape.seed(seed.wrapping_add(lots.len() as u64));
+                let shape = shape.seed(seed.wrapping_add(at));
                 let shape = named(shape, feature);
-                lots.push(with_values(shape, feature.properties.as_ref(), grammar));
+                let mut note = |why| notes.push(format!("{}: {why}", label(feature, number)));
+                lots.push(with_values(shape, feature, grammar, &mut note));
             }
             Err(why) => notes.push(format!("{} is left out: {why}", label(feature, number))),
         }
     }
-    if lots.is_empty() { Err("no feature is a polygon that can be a lot".to_owned()) } else { Ok((lots, notes)) }
+    if lots.is_empty() {
+        let notes: String = notes.iter().map(|note| format!("\n  {note}")).collect();
+        return Err(format!("no feature is a polygon that can be a lot{notes}"));
+    }
+    Ok((lots, notes))
 }
 
 /// The polygons of a feature.
@@ -75,21 +82,30 @@ fn named(shape: Shape, feature: &Feature) -> Shape {
     }
 }
 
-/// Gives a lot the values of properties that are attributes of the grammar.
-fn with_values(shape: Shape, properties: Option<&JsonObject>, grammar: &dyn Grammar) -> Shape {
-    let value = |value: &JsonValue| match value {
-        JsonValue::Number(number) => number.as_f64().map(Value::Float),
-        JsonValue::Bool(truth) => Some(Value::Bool(*truth)),
-        JsonValue::String(text) => Some(Value::from(text.as_str())),
-        JsonValue::Null | JsonValue::Array(_) | JsonValue::Object(_) => None,
-    };
-    let own = grammar.attributes().iter().filter_map(|attribute| {
-        let given = value(properties?.get(attribute.name.as_str())?)?;
-        // Maps often have numbers as text.
-        let read = if given.ty() == attribute.ty { given } else { Value::parse(&given.to_string(), attribute.ty)? };
-        Some((attribute.name.clone(), read))
+/// Gives a lot the values of properties that are attributes of the grammar, with a note for each property of another type.
+fn with_values(shape: Shape, feature: &Feature, grammar: &dyn Grammar, note: &mut dyn FnMut(String)) -> Shape {
+    let Some(properties) = &feature.properties else { return shape };
+    let given = grammar.attributes().iter().filter_map(|attribute| {
+        let given = properties.get(attribute.name.as_str()).filter(|given| !given.is_null())?;
+        let read = value(given, attribute.ty);
+        if read.is_none() {
+            note(format!("its property `{}` is left out: {given} is not {}", attribute.name, attribute.ty));
+        }
+        Some((attribute.name.clone(), read?))
     });
-    own.fold(shape, |shape, (name, value)| shape.attribute(name, value))
+    given.fold(shape, |shape, (name, value)| shape.attribute(name, value))
+}
+
+/// The value of a property. Maps often have numbers as text.
+fn value(given: &JsonValue, ty: ValueType) -> Option<Value> {
+    match given {
+        JsonValue::Number(number) if ty == ValueType::Float => number.as_f64().map(Value::Float),
+        JsonValue::Number(number) => Value::parse(&Value::Float(number.as_f64()?).to_string(), ty),
+        JsonValue::String(text) => Value::parse(text, ty),
+        JsonValue::Bool(truth) => Value::parse(&truth.to_string(), ty),
+        JsonValue::Array(_) if ty != ValueType::Text => Value::parse(&given.to_string(), ty),
+        JsonValue::Null | JsonValue::Array(_) | JsonValue::Object(_) => None,
+    }
 }
 
 /// The middle of all lots. Around it the Earth is taken as flat.

@@ -1,11 +1,13 @@
 //! The initial shapes of a run.
 
+use std::io::Read as _;
 use std::path::Path;
 
 use cga::{Assets, Grammar, Mesh, Shape};
 
 use crate::footprints;
 use crate::options::LotOptions;
+use crate::stream::say;
 
 /// The width and the depth of a lot that is not given, in metres.
 const USUAL: (f64, f64) = (20.0, 15.0);
@@ -16,9 +18,9 @@ const USUAL: (f64, f64) = (20.0, 15.0);
 /// A sentence about a file that cannot be used.
 pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Vec<Shape>, String> {
     if let Some(path) = &options.footprint {
-        let text = std::fs::read_to_string(path).map_err(|why| unread(path, why))?;
+        let text = text(path).map_err(|why| unread(path, why))?;
         let (lots, notes) = footprints::lots(&text, grammar, seed).map_err(|why| unread(path, why))?;
-        notes.iter().for_each(|note| eprintln!("{}: {note}", path.display()));
+        notes.iter().for_each(|note| say(format_args!("{}: {note}", path.display())));
         return Ok(lots);
     }
     let shape = match &options.mesh {
@@ -29,6 +31,20 @@ pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Re
         }
     };
     Ok(vec![shape.seed(seed)])
+}
+
+/// The most bytes of a file of lots.
+const MOST_BYTES: u64 = 1 << 30;
+
+/// The text of a file of lots. A device may never end.
+fn text(path: &Path) -> Result<String, String> {
+    let file = std::fs::File::open(path).map_err(|why| why.to_string())?;
+    let mut text = String::new();
+    let read = file.take(MOST_BYTES + 1).read_to_string(&mut text).map_err(|why| why.to_string())?;
+    if MOST_BYTES < read as u64 {
+        return Err("it has more than 1 GB; divide it into several files".to_owned());
+    }
+    Ok(text)
 }
 
 fn unread(path: &Path, why: impl std::fmt::Display) -> String {

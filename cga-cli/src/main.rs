@@ -16,12 +16,14 @@ mod lots;
 mod options;
 mod outputs;
 mod run;
+mod stream;
 mod watch;
 
 use std::process::ExitCode;
 
 use clap::Parser as _;
 use options::{Command, Options};
+use stream::Stream;
 
 /// The exit status of a command: 0, 1 or 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,8 +44,12 @@ impl From<Status> for ExitCode {
 
 fn main() -> ExitCode {
     let status = match Options::parse().command {
-        // Whoever reads may stop reading, as `head` does: that is no failure.
-        Command::Check(options) => check::check(&options, &mut std::io::stdout().lock()).unwrap_or(Status::Unusable),
+        Command::Check(options) => {
+            check::check(&options, &mut Stream(std::io::stdout().lock())).unwrap_or_else(|why| {
+                stream::say(stream::unwritten(&why));
+                Status::Unusable
+            })
+        }
         Command::Run(options) => run::command(&options),
         Command::Attributes(options) => attributes::command(&options),
         Command::Watch(options) => watch::command(&options),

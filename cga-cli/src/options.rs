@@ -30,7 +30,7 @@ pub(crate) enum Command {
 }
 
 const RUN_STATUS: &str = "\
-Printed lines go to standard output, faults to standard error.
+Printed lines go to standard output (with `--reports -` to standard error), faults to standard error.
 exit status: 0 all went well, 1 the rules have errors or a run ended early, 2 a file cannot be read or
 written or the arguments are wrong";
 

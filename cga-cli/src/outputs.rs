@@ -1,10 +1,11 @@
 //! The files of a run.
 
-use std::io::Write as _;
 use std::path::Path;
 
 use cga::sink::picture::Picture;
 use cga::{Batches, Model, Report, WriteError};
+
+use crate::stream::print;
 
 /// The kind of a file, by the ending of its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,9 +84,7 @@ pub(crate) fn write_reports(report: &Report, path: &Path) -> Result<(), String> 
     let mut text = serde_json::to_string_pretty(report.reports()).map_err(|why| refused(&why))?;
     text.push('\n');
     if path == Path::new("-") {
-        // Whoever reads may stop reading.
-        let _ = std::io::stdout().lock().write_all(text.as_bytes());
-        return Ok(());
+        return print(&text);
     }
     std::fs::write(path, text).map_err(|why| refused(&why))
 }

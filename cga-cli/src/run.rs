@@ -1,6 +1,5 @@
 //! Runs a rule file.
 
-use std::io::Write as _;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -11,6 +10,7 @@ use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
 use crate::outputs::{FileKind, Output, write_reports};
+use crate::stream::{print, say};
 
 /// The reason why a command ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +32,7 @@ impl Problem {
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {
     run(options).unwrap_or_else(|problem| {
-        eprintln!("{}", problem.message);
+        say(problem.message);
         problem.status
     })
 }
@@ -65,7 +65,7 @@ pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
     // Nothing runs for files that cannot be written.
     options.output.iter().try_for_each(|path| FileKind::of(path).map(drop)).map_err(Problem::unusable)?;
     let mut rules = load(&options.rules)?;
-    rules.warnings().iter().for_each(|warning| eprintln!("{warning}\n"));
+    rules.warnings().iter().for_each(|warning| say(format_args!("{warning}\n")));
     for (name, value) in &options.values {
         rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;
     }
@@ -79,7 +79,7 @@ pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
     let begun = Instant::now();
     let output = derive(&rules, &lots, &settings).map_err(Problem::failed)?;
     let took = begun.elapsed();
-    tell(&output);
+    tell(options, &output).map_err(Problem::unusable)?;
     if output.report().stopped {
         let after = options.deadline.unwrap_or_default().as_secs_f64();
         return Err(Problem::failed(format!("the run was ended after {after} seconds; no file was written")));
@@ -104,16 +104,23 @@ fn derive(rules: &RuleFile, lots: &[Shape], settings: &Settings) -> Result<Outpu
     }
 }
 
-/// Writes the printed lines to standard output, and the faults to standard error.
-fn tell(output: &Output) {
+/// Writes the printed lines to standard output, and the faults to standard error. If the reports go to standard output, all lines go to
+/// standard error, so that the output is JSON.
+///
+/// # Errors
+/// A sentence about standard output.
+fn tell(options: &RunOptions, output: &Output) -> Result<(), String> {
     let report = output.report();
-    let mut out = std::io::stdout().lock();
-    // Whoever reads may stop reading.
-    let _ = report.prints().iter().try_for_each(|print| writeln!(out, "{print}"));
-    report.faults().iter().for_each(|fault| eprintln!("{fault}"));
-    if 0 < report.faults_left_out() {
-        eprintln!("… and {} more faults", report.faults_left_out());
+    if options.reports.as_deref() == Some(Path::new("-")) {
+        report.prints().iter().for_each(say);
+    } else {
+        print(&report.prints().iter().map(|print| format!("{print}\n")).collect::<String>())?;
     }
+    report.faults().iter().for_each(say);
+    if 0 < report.faults_left_out() {
+        say(format_args!("… and {} more faults", report.faults_left_out()));
+    }
+    Ok(())
 }
 
 /// Says what was made, for a person who waits.
@@ -121,5 +128,5 @@ fn summary(options: &RunOptions, output: &Output, lots: usize, took: Duration) {
     let lots = if lots == 1 { String::new() } else { format!("{lots} lots, ") };
     let files: Vec<String> = options.output.iter().map(|path| format!("`{}`", path.display())).collect();
     let written = if files.is_empty() { String::new() } else { format!("; wrote {}", files.join(", ")) };
-    eprintln!("{lots}{} parts in {:.1} ms{written}", output.parts(), 1e3 * took.as_secs_f64());
+    say(format_args!("{lots}{} parts in {:.1} ms{written}", output.parts(), 1e3 * took.as_secs_f64()));
 }

@@ -9,6 +9,7 @@ use notify::{Event, RecursiveMode, Watcher as _};
 use crate::Status;
 use crate::options::RunOptions;
 use crate::run;
+use crate::stream::say;
 
 /// The time in which further changes join the first one: editors write a file in several steps.
 const TOGETHER: Duration = Duration::from_millis(20);
@@ -18,7 +19,7 @@ pub(crate) fn command(options: &RunOptions) -> Status {
     match watch(options) {
         Ok(()) => Status::Success,
         Err(why) => {
-            eprintln!("{why}");
+            say(why);
             Status::Unusable
         }
     }
@@ -32,10 +33,18 @@ fn watch(options: &RunOptions) -> Result<(), String> {
         let watched = watcher.watch(folder, RecursiveMode::Recursive);
         watched.map_err(|why| format!("cannot watch `{}`: {why}", folder.display()))?;
     }
+    for folder in &sources.above {
+        // The user may have no right to read it.
+        let _ = watcher.watch(folder, RecursiveMode::NonRecursive);
+    }
     loop {
         run::command(options);
         if !next(&changes, &sources)? {
             return Ok(());
+        }
+        // A folder may have been deleted and made again: then it is watched again.
+        for folder in sources.folders() {
+            let _ = watcher.watch(folder, RecursiveMode::Recursive);
         }
     }
 }
@@ -48,7 +57,7 @@ fn next(changes: &Receiver<notify::Result<Event>>, sources: &Sources) -> Result<
             break;
         }
     }
-    // For a fixed time: programs that look at files in the folder make events without end.
+    // Other programs may read and write files of these folders all the time, so it does not wait for silence.
     std::thread::sleep(TOGETHER);
     changes.try_iter().for_each(drop);
     Ok(true)
@@ -59,6 +68,8 @@ fn next(changes: &Receiver<notify::Result<Event>>, sources: &Sources) -> Result<
 struct Sources {
     /// The folders of the rules: each rule file in and below them may be imported.
     rules: Vec<PathBuf>,
+    /// The folders above them: imports are looked up there, too.
+    above: Vec<PathBuf>,
     /// The files of lots. A mesh has a file of materials beside it.
     lots: Vec<PathBuf>,
     /// The folder of assets.
@@ -77,8 +88,15 @@ impl Sources {
         let lots = options.lot.footprint.iter().chain(&options.lot.mesh);
         // A file that is written for the first time does not exist yet.
         let output = |path: &PathBuf| Some(real(folder(path)).ok()?.join(path.file_name()?));
+        let rules: Vec<PathBuf> = rules.map(real).collect::<Result<_, _>>()?;
+        let above = rules.iter().flat_map(|folder| folder.ancestors().skip(1));
+        let mut above: Vec<PathBuf> =
+            above.filter(|above| !rules.iter().any(|folder| above.starts_with(folder))).map(Path::to_owned).collect();
+        above.sort_unstable();
+        above.dedup();
         Ok(Sources {
-            rules: rules.map(real).collect::<Result<_, _>>()?,
+            rules,
+            above,
             lots: lots.map(|path| real(path)).collect::<Result<_, _>>()?,
             assets: options.assets.as_deref().map(real).transpose()?,
             outputs: options.output.iter().filter_map(output).collect(),
@@ -103,14 +121,17 @@ impl Sources {
 
     fn reads(&self, path: &Path) -> bool {
         let has_ending = |ending| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
-        let is_rule_file = has_ending("cga") && self.rules.iter().any(|folder| path.starts_with(folder));
+        let is_below = self.rules.iter().any(|folder| path.starts_with(folder));
+        let is_beside = path.parent().is_some_and(|folder| self.above.iter().any(|above| folder == above));
+        let is_rule_file = has_ending("cga") && (is_below || is_beside);
+        let is_folder = self.rules.iter().any(|folder| path == folder);
         let is_lot = self.lots.iter().any(|lot| path == lot || has_ending("mtl") && path.parent() == lot.parent());
         let is_asset = || {
             // Files in the making have names that begin with a point.
             let is_hidden = path.file_name().is_some_and(|name| name.to_string_lossy().starts_with('.'));
             self.assets.as_ref().is_some_and(|folder| path.starts_with(folder)) && !is_hidden && !self.writes(path)
         };
-        is_rule_file || is_lot || is_asset()
+        is_rule_file || is_folder || is_lot || is_asset()
     }
 
     /// Returns true for an output, or for the materials of one.
@@ -133,6 +154,7 @@ mod tests {
         let paths = |list: &[&str]| list.iter().map(PathBuf::from).collect::<Vec<_>>();
         let sources = Sources {
             rules: paths(&["/town/rules"]),
+            above: paths(&["/town", "/"]),
             lots: paths(&["/town/lots.geojson"]),
             assets: Some("/town/assets".into()),
             outputs: paths(&["/town/rules/out.glb", "/town/assets/out.obj"]),
@@ -140,6 +162,9 @@ mod tests {
         for path in [
             "/town/rules/a.cga",
             "/town/rules/parts/b.CGA",
+            "/town/rules",
+            "/town/a.cga",
+            "/b.cga",
             "/town/lots.geojson",
             "/town/assets/tree.obj",
             "/town/a.mtl",
@@ -149,7 +174,7 @@ mod tests {
         for path in [
             "/town/rules/out.glb",
             "/town/rules/note.txt",
-            "/town/a.cga",
+            "/town/houses/a.cga",
             "/town/assets/out.obj",
             "/town/assets/out.mtl",
             "/town/assets/.cga-1.part",

@@ -158,6 +158,89 @@ fn mistakes_have_a_message_and_a_status() {
     }
 }
 
+/// A feature with a square at some degrees to the east.
+fn square(id: u32, properties: &str, east: f64) -> String {
+    let (low, high) = (east, east + 0.0002);
+    format!(
+        "{{\"type\": \"Feature\", \"id\": {id}, \"properties\": {properties}, \"geometry\": {{\"type\": \"Polygon\", \"coordinates\": \
+         [[[{low}, 0], [{high}, 0], [{high}, 0.0002], [{low}, 0.0002], [{low}, 0]]]}}}}"
+    )
+}
+
+fn collection(features: &[String]) -> String {
+    format!("{{\"type\": \"FeatureCollection\", \"features\": [{}]}}", features.join(", "))
+}
+
+/// A square that crosses itself.
+const CROSSED: &str = "{\"type\": \"Feature\", \"properties\": null, \"geometry\": {\"type\": \"Polygon\", \"coordinates\": \
+                       [[[0, 0], [0.1, 0.1], [0.1, 0], [0, 0.1], [0, 0]]]}}";
+
+#[test]
+fn lots_keep_their_seeds_when_others_cannot_be_used() {
+    let folder = Folder::new("seeds");
+    folder.write("random.cga", "attr value = rand(0, 1000)  Lot --> print(value) X.");
+    let lines = |features: &[String]| {
+        folder.write("lots.geojson", &collection(features));
+        let output = folder.run("run random.cga --footprint lots.geojson");
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout).lines().map(str::to_owned).collect::<Vec<_>>()
+    };
+    let [first, second, third] = [0, 1, 2].map(|at| square(at, "null", 0.001 * f64::from(at)));
+    let all = lines(&[first.clone(), second, third.clone()]);
+    assert_eq!(lines(&[first, CROSSED.to_owned(), third]), [all[0].clone(), all[2].clone()]);
+}
+
+#[test]
+fn properties_are_read_by_the_types_of_attributes() {
+    let folder = Folder::new("properties");
+    folder.write(
+        "lot.cga",
+        "attr height = 1  attr list = [1]  attr name = \"\"  Lot --> print(name + height + size(list)) X.",
+    );
+    let features = [
+        square(1, "{\"height\": \"tall\", \"list\": [1, 2, 3], \"name\": 7}", 0.0),
+        square(2, "{\"height\": \"2\", \"list\": null, \"name\": \"n\"}", 0.001),
+    ];
+    folder.write("lots.geojson", &format!("\u{feff}{}", collection(&features)));
+    let output = folder.run("run lot.cga --footprint lots.geojson");
+    assert_eq!(text(&output.stdout), "713\nn21\n");
+    let note = "lots.geojson: feature `1`: its property `height` is left out: \"tall\" is not a number\n";
+    assert!(text(&output.stderr).contains(note), "{}", text(&output.stderr));
+}
+
+#[test]
+fn a_file_without_lots_says_why() {
+    let folder = Folder::new("crossed");
+    folder.write("lots.geojson", &collection(&[CROSSED.to_owned()]));
+    let errors = text(&folder.run("run tower.cga --footprint lots.geojson").stderr);
+    assert!(errors.contains("feature 0 is left out: "), "{errors}");
+}
+
+/// Two streams whose readers are gone.
+fn unread() -> [Stdio; 2] {
+    [(); 2].map(|()| Stdio::from(std::io::pipe().expect("a pipe").1))
+}
+
+#[test]
+fn readers_may_stop_reading() {
+    let folder = Folder::new("closed");
+    folder.write("fault.cga", "Lot --> i(\"lost.obj\") print(\"hello\") X.");
+    for args in ["check tower.cga", "run fault.cga", "run fault.cga --reports -", "attributes tower.cga"] {
+        let [out, error] = unread();
+        let status = folder.command(args).stdout(out).stderr(error).status().expect("the command");
+        assert_eq!(status.code(), Some(0), "{args}");
+    }
+}
+
+#[test]
+fn reports_on_standard_output_are_json_alone() {
+    let folder = Folder::new("reports");
+    let output = folder.run("run tower.cga --reports -");
+    let reports: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(reports[0]["key"], "facades");
+    assert!(text(&output.stderr).lines().any(|line| line == "3"), "{}", text(&output.stderr));
+}
+
 #[test]
 fn attributes_are_listed() {
     let folder = Folder::new("attributes");
@@ -181,14 +264,6 @@ impl Drop for Running {
 #[test]
 fn a_watched_file_is_run_again_and_a_mistake_keeps_the_last_model() {
     let folder = Folder::new("watch");
-    // A second event may come for one change, so the test waits for results and not for runs.
-    let until = |what: &str, is_so: &dyn Fn() -> bool| {
-        let begun = Instant::now();
-        while !is_so() {
-            assert!(begun.elapsed() < Duration::from_secs(60), "{what}");
-            sleep(Duration::from_millis(10));
-        }
-    };
     let expected = |height| compiled(&Tower { height, ..Tower::default() }, &Shape::rectangle(20.0, 15.0)).0;
     let has = |bytes: Vec<u8>| fs::read(folder.0.join("x.glb")).is_ok_and(|found| found == bytes);
     let rules = text(&folder.read("tower.cga"));
@@ -203,4 +278,36 @@ fn a_watched_file_is_run_again_and_a_mistake_keeps_the_last_model() {
     assert!(has(expected(18.0)));
     folder.write("tower.cga", &rules);
     until("the mend", &|| has(expected(12.0)));
+}
+
+/// Waits until something is so. A second event may come for one change, so tests wait for results and not for runs.
+fn until(what: &str, is_so: &dyn Fn() -> bool) {
+    let begun = Instant::now();
+    while !is_so() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "{what}");
+        sleep(Duration::from_millis(10));
+    }
+}
+
+#[test]
+fn a_watch_follows_imports_above_and_a_folder_that_is_made_again() {
+    let folder = Folder::new("above");
+    let rules = "import part : \"part.cga\"  Lot --> part.Part";
+    let make = || fs::create_dir(folder.0.join("rules")).expect("a folder");
+    make();
+    folder.write("rules/lot.cga", rules);
+    folder.write("part.cga", "Part --> print(\"one\") X.");
+    let log = fs::File::create(folder.0.join("log")).expect("a file");
+    let mut command = folder.command("watch rules/lot.cga");
+    let _running = Running(command.stdout(log).stderr(Stdio::null()).spawn().expect("the command"));
+    let says = |line: &str| text(&folder.read("log")).lines().any(|said| said == line);
+    until("the first run", &|| says("one"));
+    folder.write("part.cga", "Part --> print(\"two\") X.");
+    until("a change above", &|| says("two"));
+    fs::remove_dir_all(folder.0.join("rules")).expect("the folder");
+    make();
+    folder.write("rules/lot.cga", &format!("{rules} print(\"three\")"));
+    until("the folder again", &|| says("three"));
+    folder.write("rules/lot.cga", &format!("{rules} print(\"four\")"));
+    until("a change in it", &|| says("four"));
 }

@@ -11,8 +11,8 @@ use cga::{Grammar, Live, LiveError, Shape, Value, ValueType, cga};
 struct Folder(PathBuf);
 
 impl Folder {
-    fn new() -> Self {
-        let folder = std::env::temp_dir().join(format!("cga-live-{}", std::process::id()));
+    fn new(name: &str) -> Self {
+        let folder = std::env::temp_dir().join(format!("cga-live-{name}-{}", std::process::id()));
         fs::create_dir_all(folder.join("live/rules/parts")).expect("a folder");
         let folder = Folder(folder);
         folder.write("tower.cga", TOWER);
@@ -73,7 +73,7 @@ fn until(live: &mut Live, is_so: impl Fn(&mut Live) -> bool) {
 
 #[test]
 fn a_compiled_grammar_follows_its_rule_file() {
-    let folder = Folder::new();
+    let folder = Folder::new("follows");
     let mut live = Live::in_folder(Tower { height: 6.0, ..Tower::default() }, &folder.0).expect("a rule file");
     let compiled = Tower { height: 6.0, ..Tower::default() };
     assert!(!live.refresh() && live.error().is_none());
@@ -121,6 +121,48 @@ fn a_compiled_grammar_follows_its_rule_file() {
     folder.write("parts/wall.cga", &WALL.replace("Wall.", "Brick."));
     until(&mut live, Live::refresh);
     assert_eq!(leaves(&live), (3, vec!["Brick".to_owned()]));
+}
+
+#[test]
+fn a_value_that_was_set_stays_although_it_is_the_default() {
+    let folder = Folder::new("default");
+    let mut live = Live::in_folder(Tower::default(), &folder.0).expect("a rule file");
+    live.set("height", Value::Float(12.0)).expect("an attribute");
+    folder.change(&[("attr height = 12", "attr height = 30")]);
+    until(&mut live, Live::refresh);
+    assert_eq!(live.get("height"), Ok(Value::Float(12.0)));
+    live.reset("height").expect("an attribute");
+    assert_eq!(live.get("height"), Ok(Value::Float(30.0)));
+}
+
+#[test]
+fn each_copy_learns_of_a_change_and_waits_alone() {
+    let folder = Folder::new("copies");
+    let mut live = Live::in_folder(Tower::default(), &folder.0).expect("a rule file");
+    let mut copy = live.clone();
+    let waiting = std::thread::spawn(move || {
+        while !copy.wait() {}
+        copy.get("height")
+    });
+    assert!(!live.refresh());
+    folder.change(&[("attr height = 12", "attr height = 30")]);
+    until(&mut live, |live| live.refresh() && live.get("height") == Ok(Value::Float(30.0)));
+    assert_eq!(waiting.join().expect("no panic"), Ok(Value::Float(30.0)));
+}
+
+#[test]
+fn a_folder_that_is_made_again_is_followed() {
+    let folder = Folder::new("again");
+    let rules = folder.0.join("live/rules");
+    let mut live = Live::in_folder(Tower::default(), &folder.0).expect("a rule file");
+    fs::remove_dir_all(&rules).expect("the folder");
+    until(&mut live, |live| !live.refresh() && live.error().is_some());
+    fs::create_dir_all(rules.join("parts")).expect("a folder");
+    folder.write("parts/wall.cga", WALL);
+    for height in [20.0, 30.0] {
+        folder.change(&[("attr height = 12", &format!("attr height = {height}"))]);
+        until(&mut live, |live| live.refresh() && live.get("height") == Ok(Value::Float(height)));
+    }
 }
 
 #[test]

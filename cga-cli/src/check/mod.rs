@@ -15,6 +15,7 @@ use self::files::LoadedFiles;
 use self::printer::Printer;
 use crate::Status;
 use crate::options::CheckOptions;
+use crate::stream::say;
 
 /// Checks files and folders.
 pub(crate) fn check(options: &CheckOptions, out: &mut dyn Write) -> Result<Status> {
@@ -23,7 +24,7 @@ pub(crate) fn check(options: &CheckOptions, out: &mut dyn Write) -> Result<Statu
     let mut files = match LoadedFiles::new(options.root.as_deref()) {
         Ok(files) => files,
         Err(why) => {
-            eprintln!("cannot read {why}");
+            say(format_args!("cannot read {why}"));
             return Ok(Status::Unusable);
         }
     };
@@ -42,7 +43,7 @@ pub(crate) fn check(options: &CheckOptions, out: &mut dyn Write) -> Result<Statu
     printer.totals(start.elapsed(), out)?;
     out.flush()?;
     for why in &unread {
-        eprintln!("cannot read {why}");
+        say(format_args!("cannot read {why}"));
     }
     Ok(match (unread.is_empty(), printer.has_failed()) {
         (false, _) => Status::Unusable,

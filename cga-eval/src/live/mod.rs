@@ -2,7 +2,9 @@
 
 mod watcher;
 
+use std::collections::BTreeSet;
 use std::fmt;
+use std::io::Write as _;
 use std::path::Path;
 
 use cga_runtime::fault::Error;
@@ -47,6 +49,8 @@ pub struct Live {
     loader: RuleLoader,
     watcher: Watcher,
     error: Option<RuleFileError>,
+    /// The names of attributes that the program has set after it began to follow the rules.
+    set: BTreeSet<String>,
 }
 
 impl fmt::Debug for Live {
@@ -120,7 +124,7 @@ impl Live {
             };
         }
         let watcher = Watcher::new(folder, source.path).map_err(LiveError::Watch)?;
-        Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None })
+        Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None, set: BTreeSet::new() })
     }
 
     /// Changes the loader, to register the Rust functions that the rules call.
@@ -154,7 +158,7 @@ impl Live {
                 true
             }
             Err(error) => {
-                eprintln!("{error}");
+                say(&error);
                 self.error = Some(error);
                 false
             }
@@ -166,16 +170,22 @@ impl Live {
     fn take(&mut self, mut rules: RuleFile) {
         for (index, attribute) in self.current.attributes().iter().enumerate() {
             let value = self.current.attribute_get(index);
-            if value == attribute.default {
+            if value == attribute.default && !self.set.contains(attribute.name.as_str()) {
                 continue;
             }
             if let Some(Err(error)) = value.map(|value| rules.set(&attribute.name, value)) {
-                eprintln!("the value of `{}` is dropped: {error}", attribute.name);
+                say(format_args!("the value of `{}` is dropped: {error}", attribute.name));
+                self.set.remove(attribute.name.as_str());
             }
         }
         self.current = Box::new(rules);
         self.error = None;
     }
+}
+
+/// Writes a line to standard error, which may be closed.
+fn say(line: impl fmt::Display) {
+    let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
 /// The rule file of a compiled grammar.
@@ -205,10 +215,16 @@ impl Grammar for Live {
     }
 
     fn attribute_set(&mut self, index: usize, value: Value) {
+        if let Some(attribute) = self.current.attributes().get(index) {
+            self.set.insert(attribute.name.to_string());
+        }
         self.current.attribute_set(index, value);
     }
 
     fn attribute_reset(&mut self, index: usize) {
+        if let Some(attribute) = self.current.attributes().get(index) {
+            self.set.remove(attribute.name.as_str());
+        }
         self.current.attribute_reset(index);
     }
 
