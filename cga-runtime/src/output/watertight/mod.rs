@@ -38,12 +38,14 @@ use crate::value::text::Text;
 /// use cga::output::model::Model;
 /// use cga::output::watertight::Watertight;
 /// use cga::run::sink::{Leaf, Quad, Sink};
+/// use cga::value::text::Text;
 /// # use std::sync::Arc;
 /// # use cga::glam::DVec3;
 /// # use cga::material::Material;
 /// # use cga::shape::scope::Scope;
 /// # let (material, scope) = (Arc::new(Material::default()), Scope { origin: DVec3::ZERO, axes: cga::glam::DMat3::IDENTITY, size: DVec3::ONE });
-/// let leaf = Leaf::new("Wall", &material, &scope);
+/// let name = Text::fixed("Wall");
+/// let leaf = Leaf::new(&name, &material, &scope);
 /// let wall = |x: f64, y: f64, width: f64| Quad::new(DVec3::new(x, y, 0.0), DVec3::X * width, DVec3::Y);
 /// let mut sink = Watertight::new(Model::new());
 /// // One wall of two metres below two of one metre each.
