@@ -9,58 +9,27 @@ mod district;
 #[path = "../tests/inline.rs"]
 #[allow(dead_code, unreachable_pub, reason = "tests share it")]
 mod inline;
+#[path = "../examples/readme.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the rules are needed alone")]
+mod readme;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the pictures of the scenes are made elsewhere")]
 mod scenes;
+#[allow(unused_imports, reason = "workloads are run elsewhere")]
+mod workloads;
 
 use cga::sink::buffers::Buffers;
-use cga::{Grammar, RuleFile, Settings, Shape, cga};
+use cga::{Grammar, RuleFile, Settings, Shape};
 use common::clock::{fastest, nanoseconds_each};
 use common::table::{Table, number};
+use workloads::facade::Facades;
+use workloads::sponge::Menger;
 
 /// The seconds for which each row is repeated.
 const SECONDS: f64 = 1.0;
 
-cga! {
-    /// The house of the README.
-    grammar House;
-    attr height = 17
-    Lot    --> extrude(height) split(y) { ~1 : comp(f) { side : Facade } | 0.6 : Cornice }
-    Cornice --> s(^1.05, ^1, ^1.07) center(xz) color("#8c4a3a") Cornice.
-    Facade --> split(y) { 4 : Floor(2.4, "#31424c") | 0.35 : Ledge | { ~3.2 : Floor(2.4, "#56788c") }* }
-    Ledge  --> color("#8c4a3a") extrude(0.4) Ledge.
-    Floor(w, tint) --> split(x) { 0.7 : Pier | { ~w : Bay(tint) | 0.7 : Pier }* }
-    Pier   --> color("#e3d5bb") extrude(0.22) Pier.
-    Bay(tint) --> color("#cdb892") split(y) { 0.8 : Wall. | ~1 : Window(tint) | 0.35 : Wall. }
-    Window(tint) --> [ t(0, 0, -0.2) color(tint) Glass. ] color("#f5f1e6") split(x) { 0.1 : Frame | ~1 : Bars | 0.1 : Frame }
-    Bars   --> split(y) { 0.1 : Frame | ~2 : NIL | 0.08 : Frame | ~1 : NIL | 0.1 : Frame }
-    Frame  --> t(0, 0, -0.2) extrude(0.26) Frame.
-}
-
-cga! {
-    /// Workload A: walls, windows, frames and set-back glass.
-    grammar Facades;
-    Lot    --> comp(f) { side : Facade | top : Roof. }
-    Facade --> split(y) { 4 : Shop. | { ~3 : Floor }* }
-    Floor  --> split(x) { 0.5 : Wall. | { ~2.5 : Tile }* | 0.5 : Wall. }
-    Tile   --> split(x) { ~1 : Wall. | 1.2 : Mid | ~1 : Wall. }
-    Mid    --> split(y) { ~1 : Wall. | 1.5 : Window | ~0.8 : Wall. }
-    Window --> split(x) { 0.1 : Frame | ~1 : WMid | 0.1 : Frame }
-    WMid   --> split(y) { 0.1 : Frame | ~1 : t(0, 0, -0.1) Glass. | 0.1 : Frame }
-    Frame  --> extrude(0.08) Frame.
-}
-
-cga! {
-    /// Workload D: a cube with holes on `level` levels.
-    grammar Menger;
-    attr level = 3
-    Lot  --> S(level)
-    S(n) --> case n == 0 : Cube. else : split(y) { ~1 : F(n) | ~1 : H(n) | ~1 : F(n) }
-    F(n) --> split(x) { ~1 : Q(n) | ~1 : O(n) | ~1 : Q(n) }
-    H(n) --> split(x) { ~1 : O(n) | ~1 : NIL | ~1 : O(n) }
-    Q(n) --> split(z) { ~1 : S(n - 1) | ~1 : S(n - 1) | ~1 : S(n - 1) }
-    O(n) --> split(z) { ~1 : S(n - 1) | ~1 : NIL | ~1 : S(n - 1) }
-}
+/// The source of the README's house.
+const README: &str = include_str!("../examples/readme.rs");
 
 /// Rules, compiled and loaded, and the shapes that they run on.
 struct Subject {
@@ -71,14 +40,13 @@ struct Subject {
 }
 
 fn subjects() -> Vec<Subject> {
-    let here = include_str!("loaded.rs");
     let lots = || (0..40).map(|seed| Shape::rectangle(12.0, 10.0).seed(seed)).collect();
     let tower = scenes::scenes().swap_remove(0);
     let row =
         |name, text: &str, compiled: Box<dyn Grammar>, shapes| Subject { name, text: text.into(), compiled, shapes };
     let inline = |source: &str, name| inline::named(source, name).rules;
     vec![
-        row("README's house", &inline(here, "House"), Box::<House>::default(), lots()),
+        row("README's house", &inline(README, "House"), readme::house(17.0), lots()),
         row(
             "tower",
             &inline(&format!("cga! {{\n{}\n}}", tower.rules), "Tower"),
@@ -91,8 +59,18 @@ fn subjects() -> Vec<Subject> {
             Box::<district::House>::default(),
             lots(),
         ),
-        row("A(40 x 40 m)", &inline(here, "Facades"), Box::<Facades>::default(), vec![Shape::cuboid(40.0, 40.0, 40.0)]),
-        row("D(3)", &inline(here, "Menger"), Box::<Menger>::default(), vec![Shape::cuboid(27.0, 27.0, 27.0)]),
+        row(
+            "A(40 x 40 m)",
+            &inline(include_str!("workloads/facade.rs"), "Facades"),
+            Box::<Facades>::default(),
+            vec![Shape::cuboid(40.0, 40.0, 40.0)],
+        ),
+        row(
+            "D(3)",
+            &inline(include_str!("workloads/sponge.rs"), "Menger"),
+            Box::<Menger>::default(),
+            vec![Shape::cuboid(27.0, 27.0, 27.0)],
+        ),
     ]
 }
 
@@ -140,8 +118,9 @@ fn main() {
 
 /// The time to load 400 rules: the house of the README, forty times, with a number after each name.
 fn large() {
-    let house = inline::named(include_str!("loaded.rs"), "House").rules;
-    let names = ["Lot", "Cornice", "Facade", "Ledge", "Floor", "Pier", "Bay", "Window", "Bars", "Frame", "height"];
+    let house = inline::named(README, "House").rules;
+    let names =
+        ["Lot", "Ledge", "Cornice", "Walls", "Floor", "Pier", "Bay", "Door", "Window", "Bars", "Frame", "height"];
     let numbered = |number: usize| {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
         let mut text = String::new();

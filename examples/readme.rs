@@ -3,7 +3,7 @@
 //! `cargo run --release --example readme`
 
 use cga::sink::picture::Picture;
-use cga::{Error, Model, Settings, Shape, cga};
+use cga::{Error, Grammar, Model, Settings, Shape, cga};
 
 cga! {
     grammar House;
@@ -24,9 +24,14 @@ cga! {
     Frame   --> t(0, 0, -0.2) extrude(0.26) Frame.
 }
 
+/// The grammar, for programs that compare it with others.
+pub(crate) fn house(height: f64) -> Box<dyn Grammar> {
+    Box::new(House { height })
+}
+
 /// The house of the picture.
 pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
-    House { height: 20.0 }.generate_with(&Shape::rectangle(16.0, 11.0), settings)
+    house(20.0).generate_with(&Shape::rectangle(16.0, 11.0), settings)
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

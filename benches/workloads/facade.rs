@@ -6,7 +6,7 @@ use super::{Expected, Raw, Workload, run};
 
 cga! {
     /// Walls, windows, frames and set-back glass.
-    grammar Facades;
+    pub(crate) grammar Facades;
 
     Lot    --> comp(f) { side : Facade | top : Roof. }
     Facade --> split(y) { 4 : Shop. | { ~3 : Floor }* }

@@ -8,12 +8,12 @@ mod chance;
 mod check;
 mod city;
 mod color;
-mod facade;
+pub(crate) mod facade;
 mod fold;
 mod golden;
 mod raw;
 mod share;
-mod sponge;
+pub(crate) mod sponge;
 
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;

@@ -6,7 +6,7 @@ use super::{Expected, Raw, Workload, run};
 
 cga! {
     /// A cube with holes on `level` levels.
-    grammar Menger;
+    pub(crate) grammar Menger;
 
     attr level = 3
     Lot  --> S(level)

@@ -50,7 +50,7 @@ pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
     if let Some(name) = name {
         loader = loader.named(name);
     }
-    // A file that is not there is no error of the rules.
+    // A missing file is a problem of the arguments, not of the rules.
     let status = if at(root.as_deref(), file).is_file() { Status::Failed } else { Status::Unusable };
     loader.open(file).map_err(|error| Problem { status, message: error.to_string() })
 }

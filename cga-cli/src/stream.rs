@@ -22,7 +22,7 @@ impl<W: Write> Write for Stream<W> {
     }
 }
 
-/// Writes a line to standard error. There is no place to report a failure.
+/// Writes a line to standard error. A failure cannot be reported anywhere.
 pub(crate) fn say(line: impl Display) {
     let _ = writeln!(stderr().lock(), "{line}");
 }

@@ -74,7 +74,7 @@ struct Sources {
     lots: Vec<PathBuf>,
     /// The folder of assets.
     assets: Option<PathBuf>,
-    /// The files that the run writes, which are no change.
+    /// The files that the run writes. They do not start another run.
     outputs: Vec<PathBuf>,
 }
 

@@ -172,7 +172,7 @@ impl ArmsCode {
         table
     }
 
-    /// The table, if there are no indices.
+    /// The table, unless it has indices.
     pub(crate) fn fixed(&self) -> Option<&[Arm]> {
         self.indices.steps.is_empty().then_some(&*self.table)
     }

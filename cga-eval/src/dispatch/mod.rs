@@ -93,7 +93,7 @@ calls! {
     OperandsCall { Fn(&mut Stack, &mut Env, &mut Shape, Vec<Vec<Shape>>) }
 }
 
-/// What is known of arguments when rules are loaded.
+/// The parts of arguments that are known when rules are loaded.
 trait Known {
     /// The word of an argument.
     fn word(&self, number: usize) -> Option<&str>;

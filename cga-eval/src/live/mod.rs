@@ -97,8 +97,8 @@ impl Live {
         Live::from_source(grammar, source, Path::new(source.folder))
     }
 
-    /// Follows a copy of the rule file in another folder: the folder that stands for the package's, for programs that have their rules
-    /// beside them. The compiled rules run until a file changes there.
+    /// Follows a copy of the rule file in another folder, for programs that have their rules beside them. The path of the file from `folder` is
+    /// its path from the folder of the package. The compiled rules run until a file changes there.
     ///
     /// # Errors
     /// As [`new`](Live::new).
