@@ -50,10 +50,10 @@ mod tests {
 
     #[test]
     fn a_sort_that_ends_early_loses_no_element() {
-        let mut list: Vec<u32> = (0..300_000_u32).map(|number| number.wrapping_mul(2_654_435_761)).collect();
+        let mut list: Vec<u32> = (0..100_000_u32).map(|number| number.wrapping_mul(2_654_435_761)).collect();
         let mut expected = list.clone();
         expected.sort_unstable();
-        for questions in 0..60_u32 {
+        for questions in (0..60_u32).step_by(3) {
             let left = std::cell::Cell::new(questions);
             let _supervisor = Supervisor::new(move |_| left.replace(left.get().saturating_sub(1)) != 0);
             if !long_sort_by(&mut list, Ord::cmp) {

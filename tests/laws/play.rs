@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The runs of each grammar. Without optimisation each takes ten times as long.
-pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 4 } else { 48 };
+pub(crate) const RUNS: u64 = if cfg!(debug_assertions) { 2 } else { 48 };
 
 /// The counts of many runs.
 #[derive(Default)]

@@ -273,7 +273,7 @@ mod tests {
     fn parts_keep_little_more_memory_than_they_need() {
         for (around, across) in [(256, 128), (64, 500)] {
             let mesh = Arc::new(torus(around, across));
-            for pieces in [2, 5, 9, 40, 300] {
+            for pieces in [2, 9, 300] {
                 for (axis, reach) in [(Axis::X, 1.4), (Axis::Z, 0.4)] {
                     let offsets: Vec<f64> =
                         (1..pieces).map(|i| reach * (2.0 * f64::from(i) / f64::from(pieces) - 1.0)).collect();

@@ -10,6 +10,9 @@ use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use std::collections::BTreeMap;
 
+/// The programs of each test. Without optimisation each takes ten times as long.
+const PROGRAMS: usize = if cfg!(debug_assertions) { 200 } else { 3000 };
+
 /// Files by name.
 struct Disk {
     files: BTreeMap<String, Tokens>,
@@ -156,7 +159,7 @@ fn disk(random: &mut Random) -> Disk {
 fn random_programs_of_files_never_panic() {
     let mut random = Random(11);
     let (mut whole, mut large) = (0, 0);
-    for _ in 0..600 {
+    for _ in 0..PROGRAMS {
         let mut disk = disk(&mut random);
         let compiled = disk.compile("a.cga");
         disk.check(&compiled);
@@ -172,7 +175,7 @@ fn random_programs_of_files_never_panic() {
 fn changed_tokens_of_files_never_panic() {
     let mut random = Random(12);
     let words = ["import", "style", "extends", "start", "extension", "p", "lib", "Lot", "h", "Default", "with", "attr"];
-    for _ in 0..600 {
+    for _ in 0..PROGRAMS {
         let mut disk = disk(&mut random);
         for tokens in disk.files.values_mut().filter(|tokens| !tokens.is_empty()) {
             let mut list = tokens.as_slice().to_vec();
@@ -243,14 +246,14 @@ fn what_multiplies_by_imports_is_bounded() {
 
 #[test]
 fn a_long_file_may_have_many_styles() {
-    let lines = (0..16_000).map(|number| format!("R{number} --> extrude({number}) X.\n"));
+    let lines = (0..8_000).map(|number| format!("R{number} --> extrude({number}) X.\n"));
     let styles = (0..10).map(|number| format!("style S{number} R{number} --> X.\n"));
     let mut disk = disk_of([("a.cga".into(), lines.chain(styles).collect())]);
     let compiled = disk.compile("a.cga");
     disk.check(&compiled);
     assert!(compiled.diags.iter().all(|diag| diag.level != Level::Error), "{:?}", compiled.diags.first());
     // A rule is one function in all styles.
-    assert_eq!(compiled.grammar.map(|grammar| grammar.rules.len()), Some(16_000));
+    assert_eq!(compiled.grammar.map(|grammar| grammar.rules.len()), Some(8_000));
 }
 
 #[test]
@@ -275,7 +278,7 @@ fn chains_and_rings_of_files_and_styles_end() {
 
 #[test]
 fn long_lists_take_time_in_proportion() {
-    let count = 5000;
+    let count = 2500;
     let list = |one: &dyn Fn(usize) -> String| (0..count).map(one).collect::<Vec<_>>();
     let library = list(&|number| format!("attr x{number} = 1 extension E{number} --> X.")).join("\n");
     for (name, overrides) in [

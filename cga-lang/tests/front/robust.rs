@@ -83,6 +83,12 @@ fn token(random: &mut Random) -> Tok {
     }
 }
 
+/// The changed forms of each fixture. Without optimisation each takes ten times as long.
+const CHANGES: usize = if cfg!(debug_assertions) { 12 } else { 200 };
+
+/// The beginnings of each fixture, about.
+const BEGINNINGS: usize = if cfg!(debug_assertions) { 30 } else { 1000 };
+
 const DIALECTS: [Dialect; 2] = [Dialect::Inline, Dialect::Text];
 
 fn try_tokens(tokens: &Tokens) {
@@ -152,7 +158,7 @@ fn mutated_fixtures_never_panic() {
         if tokens.is_empty() {
             continue;
         }
-        for dialect in DIALECTS.into_iter().cycle().take(40) {
+        for dialect in DIALECTS.into_iter().cycle().take(CHANGES) {
             let mut list = tokens.as_slice().to_vec();
             for _ in 0..=random.below(3) {
                 let at = random.below(list.len());
@@ -213,7 +219,7 @@ fn bytes_in_any_encoding_never_panic() {
 fn every_beginning_of_a_fixture_never_panics() {
     for text in corpus() {
         let tokens = lex(&text).tokens;
-        let step = 1 + tokens.len() / 100;
+        let step = 1 + tokens.len() / BEGINNINGS;
         for (length, dialect) in (0..tokens.len()).step_by(step).zip(DIALECTS.into_iter().cycle()) {
             try_dialect(&tokens.as_slice()[..length].iter().cloned().collect(), dialect);
         }
@@ -222,7 +228,7 @@ fn every_beginning_of_a_fixture_never_panics() {
 
 #[test]
 fn deep_nesting_is_an_error_and_no_overflow() {
-    let count = 2_000;
+    let count = 1_000;
     for (open, close) in [
         ("(", ")"),
         ("[ ", " ]"),
@@ -274,8 +280,8 @@ fn deep_nesting_is_an_error_and_no_overflow() {
 
 #[test]
 fn nothing_is_looked_at_again_and_again() {
-    // Each of these would take minutes if it were.
-    let count = 50_000;
+    // Some of these would take a minute if it were.
+    let count = 20_000;
     for part in [
         "(",
         "[",
@@ -363,7 +369,7 @@ fn long_grammars_take_time_in_proportion() {
 #[test]
 fn wide_rules_take_time_in_proportion() {
     // Each of these takes minutes if every part is compared with every other one.
-    let count = 10_000;
+    let count = 5_000;
     let parts = |between: &str, part: &dyn Fn(usize) -> String| (0..count).map(part).collect::<Vec<_>>().join(between);
     let bars = |part: &dyn Fn(usize) -> String| parts(" | ", part);
     for (text, found) in [
@@ -432,7 +438,7 @@ fn declarations_for_many_types_are_bounded() {
 #[test]
 fn operators_in_a_row_are_not_nested() {
     // A tree as deep as this would overflow the stack.
-    let chain = |operator: &str, operand: &str| format!("{operand}{}", format!(" {operator} {operand}").repeat(20_000));
+    let chain = |operator: &str, operand: &str| format!("{operand}{}", format!(" {operator} {operand}").repeat(8_000));
     let arithmetic = ["+", "-", "*", "/", "%"]
         .into_iter()
         .flat_map(|operator| ["1", "h", "(2 - h)"].map(|operand| format!("extrude({})", chain(operator, operand))));
