@@ -1,18 +1,26 @@
-//! Three floors on a lot, printed: `cargo run --example hello`
+//! The house of the README: `cargo run --release --example hello` writes `docs/house.png`.
 
-use cga::{Shape, cga};
+use cga::sink::picture::Picture;
+use cga::{Error, Model, Settings, Shape, cga};
 
 cga! {
-    /// A house of three floors.
-    grammar Hello;
-
-    Lot   --> extrude(9) split(y) { ~1 : Floor. | ~1 : Floor. | ~1 : Floor. }
+    grammar House;
+    attr height = 9
+    Lot    --> extrude(height) color("#e8dcc0") comp(f) { side : Facade | top : roofHip(35, 0.6) color("#9c4a36") Roof. }
+    Facade --> split(y) { { ~3 : Storey }* }
+    Storey --> split(x) { 0.6 : Wall. | { ~2.4 : Bay }* | 0.6 : Wall. }
+    Bay    --> offset(-0.6) comp(f) { inside : color("#55788c") extrude(0.06) Window. | border : Wall. }
 }
 
-fn main() -> Result<(), cga::Error> {
-    let model = Hello::default().generate(&Shape::rectangle(12.0, 8.0))?;
-    for leaf in model.leaves() {
-        println!("{} of {} m at height {}", leaf.rule(), leaf.size(), leaf.scope().origin.y);
-    }
+/// The house of the picture.
+pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
+    House { height: 12.0 }.generate_with(&Shape::rectangle(14.0, 10.0), settings)
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let model = model(&Settings::default())?;
+    std::fs::create_dir_all("docs")?;
+    Picture::new(900, 560).looking_from(28.0, 16.0).render(&model).write_png("docs/house.png")?;
+    println!("wrote docs/house.png with {} parts", model.len());
     Ok(())
 }

@@ -5,7 +5,7 @@ use std::error::Error;
 use cga::{Model, Settings};
 
 use crate::scenes::{Scene, scenes};
-use crate::{district, guide, lots, massing, readme, textured, tower};
+use crate::{district, guide, hello, lots, massing, readme, textured, tower};
 
 /// A model, or the error of its run.
 pub type Made = Result<Model, Box<dyn Error>>;
@@ -36,6 +36,7 @@ pub fn drawn() -> Vec<Drawn> {
     let scene = |scene: Scene| Drawn::new(scene.name, move |settings| Ok(scene.model_with(settings)?));
     let step = |step| Drawn::new(format!("tutorial step {step}"), move |settings| Ok(guide::model(step, settings)?));
     let examples = [
+        Drawn::new("example hello", |settings| Ok(hello::model(settings)?)),
         Drawn::new("example readme", |settings| Ok(readme::model(settings)?)),
         Drawn::new("example tower", |settings| Ok(tower::model(settings)?)),
         Drawn::new("example textured", textured::model),

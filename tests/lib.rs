@@ -24,6 +24,10 @@ mod district;
 mod guide;
 
 #[allow(dead_code, reason = "as above")]
+#[path = "../examples/hello.rs"]
+mod hello;
+
+#[allow(dead_code, reason = "as above")]
 #[path = "../examples/lots.rs"]
 mod lots;
 

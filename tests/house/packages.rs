@@ -56,8 +56,10 @@ fn files_that_pages_of_the_package_show_are_inside() {
             let path = Path::new(file).with_file_name(picture);
             let found = [path.clone(), picture.into()].into_iter().find(|path| root.join(path).exists());
             let Some(path) = found else { continue };
-            let is_out = |rule: &&str| path.starts_with(rule.trim_start_matches('/'));
-            assert!(!excluded.iter().any(is_out), "{file} shows {}", path.display());
+            // The last rule for a file counts; a rule with `!` takes files in again.
+            let covers = |rule: &&&str| path.starts_with(rule.trim_start_matches(['!', '/']).trim_end_matches("/*"));
+            let is_out = excluded.iter().rfind(covers).is_some_and(|rule| !rule.starts_with('!'));
+            assert!(!is_out, "{file} shows {}", path.display());
         }
     }
 }
