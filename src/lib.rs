@@ -360,3 +360,15 @@ mod writing {}
 #[cfg(doctest)]
 #[doc = include_str!("../docs/guide/programs.md")]
 mod programs {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/declarations.md")]
+mod declarations {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/faults.md")]
+mod faults {}
+
+#[cfg(doctest)]
+#[doc = include_str!("../docs/guide/results.md")]
+mod results {}
