@@ -18,7 +18,10 @@ use crate::geometry::work;
 const DIRECTION: f64 = 1e-7;
 
 /// A direction has a table if it has at least this share of edges for each point.
-const EDGES_A_POINT: f64 = 0.15;
+const EDGES_A_POINT: f64 = 0.05;
+
+/// Points of a cell are sorted if there are more.
+const MANY: usize = 32;
 
 /// The most comparisons of a point with an edge, for each point and edge of the shape, and for every shape. Only shapes with very many parts
 /// in one place need more. Their last edges get no points.
@@ -47,13 +50,12 @@ struct Seen {
     cells: [u32; 4],
 }
 
-/// A cell of a table that is none.
+/// The number of no cell.
 const NO_CELL: u32 = u32::MAX;
 
 /// A point in a cell of a table, with its length along the direction.
 #[derive(Clone, Copy)]
 struct InCell {
-    cell: u32,
     point: u32,
     length: f64,
 }
@@ -64,6 +66,8 @@ struct Finder<'a> {
     ranges: Vec<[u32; 2]>,
     inside: Vec<u32>,
     comparisons: usize,
+    /// The comparisons that are counted as work.
+    told: usize,
     /// The points inside of the edge that is compared, with their distances from its start.
     found: Vec<(f64, u32)>,
 }
@@ -84,6 +88,7 @@ impl Search<'_> {
             ranges: vec![[0; 2]; self.edges.len()],
             inside: Vec::new(),
             comparisons: 0,
+            told: 0,
             found: Vec::new(),
         };
         let (classes, mut others) = self.directions()?;
@@ -180,20 +185,32 @@ impl Finder<'_> {
             lines.push(Seen { edge, lengths: [from[2].min(to[2]), from[2].max(to[2])], cells: own });
         }
         let mut in_cells = Vec::new();
+        // The number of points in each cell; later the end of its points.
+        let mut ends = vec![0_u32; cells.len() + 1];
         for (point, &place) in (0..).zip(points) {
             if !work::spend(1) {
                 return None;
             }
             let [u, v, length] = seen(place);
             if let Some(&cell) = cells.get(&cell(u, v)) {
-                in_cells.push(InCell { cell, point, length });
+                ends[cell as usize + 1] += 1;
+                in_cells.push((cell, InCell { point, length }));
             }
         }
-        let order = |a: &InCell, b: &InCell| {
-            a.cell.cmp(&b.cell).then(a.length.total_cmp(&b.length)).then(a.point.cmp(&b.point))
-        };
-        if !long_sort_by(&mut in_cells, order) {
-            return None;
+        (0..cells.len()).for_each(|cell| ends[cell + 1] += ends[cell]);
+        let mut sorted = vec![InCell { point: 0, length: 0.0 }; in_cells.len()];
+        for (cell, at) in in_cells {
+            let end = &mut ends[cell as usize];
+            sorted[*end as usize] = at;
+            *end += 1;
+        }
+        let range = |cell: usize| if cell == 0 { 0 } else { ends[cell - 1] as usize }..ends[cell] as usize;
+        for cell in 0..cells.len() {
+            let points = &mut sorted[range(cell)];
+            let order = |a: &InCell, b: &InCell| a.length.total_cmp(&b.length).then(a.point.cmp(&b.point));
+            if MANY < points.len() && !long_sort_by(points, order) {
+                return None;
+            }
         }
         for line in &lines {
             if self.is_full() {
@@ -201,12 +218,14 @@ impl Finder<'_> {
             }
             let Some(segment) = self.search.segment(line.edge) else { continue };
             for &cell in line.cells.iter().filter(|cell| **cell != NO_CELL) {
-                let first = in_cells.partition_point(|at| (at.cell, at.length) < (cell, line.lengths[0]));
-                for at in &in_cells[first..] {
-                    if at.cell != cell || line.lengths[1] < at.length {
+                let points = &sorted[range(cell as usize)];
+                let is_sorted = MANY < points.len();
+                let first = if is_sorted { points.partition_point(|at| at.length < line.lengths[0]) } else { 0 };
+                for at in &points[first..] {
+                    if is_sorted && line.lengths[1] < at.length {
                         break;
                     }
-                    self.compare(&segment, at.point)?;
+                    self.compare(&segment, at.point);
                 }
             }
             self.end_edge(line.edge)?;
@@ -236,23 +255,18 @@ impl Finder<'_> {
                 let turned = reach.zxy() * size.yzx() + reach.yzx() * size.zxy();
                 apart.abs().cmple(reach + size).all() && apart.cross(half).abs().cmple(turned).all()
             };
-            let mut goes_on = true;
-            let visited = tree.visit(meets, |point| {
-                goes_on = self.compare(&segment, point).is_some();
-                goes_on
+            self.comparisons += tree.visit(meets, |point| {
+                self.compare(&segment, point);
+                true
             });
-            if !goes_on || !work::spend(visited) {
-                return None;
-            }
-            self.comparisons += visited;
             self.end_edge(edge)?;
         }
         Some(())
     }
 
-    /// Notes a point if it is inside of an edge. `None` if the work is to end.
+    /// Notes a point if it is inside of an edge.
     #[inline]
-    fn compare(&mut self, segment: &Segment, point: u32) -> Option<()> {
+    fn compare(&mut self, segment: &Segment, point: u32) {
         let near = self.search.near;
         let offset = self.search.points[point as usize] - segment.from;
         let distance = offset.dot(segment.along);
@@ -261,7 +275,6 @@ impl Finder<'_> {
             self.found.push((distance, point));
         }
         self.comparisons += 1;
-        work::spend(1).then_some(())
     }
 
     /// Returns true after the most comparisons or points.
@@ -273,6 +286,7 @@ impl Finder<'_> {
 
     /// Ends the comparison of an edge with points. `None` if the work is to end.
     fn end_edge(&mut self, edge: u32) -> Option<()> {
+        let units = 1 + self.comparisons - std::mem::replace(&mut self.told, self.comparisons);
         if !self.found.is_empty() {
             // The points of several cells, or in the order of the tree.
             self.found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -280,6 +294,6 @@ impl Finder<'_> {
             self.inside.extend(self.found.drain(..).map(|(_, point)| point));
             self.ranges[edge as usize] = [start, self.inside.len() as u32];
         }
-        work::spend(1).then_some(())
+        work::spend(units).then_some(())
     }
 }

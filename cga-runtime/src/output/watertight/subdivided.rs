@@ -55,7 +55,6 @@ struct Corner {
 struct EdgePoints<'a> {
     network: &'a Network,
     part: LeafPart,
-    source: &'a Mesh,
     made: Derivation<'a>,
     places: Vec<DVec3>,
     /// The new points in each edge, from its lower point to its higher one. Only for look-ups, never iterated.
@@ -70,7 +69,6 @@ impl Subdivider {
         let mut edges = EdgePoints {
             network,
             part,
-            source: mesh,
             made: Derivation::new(mesh, CornerValues::All, 2 * mesh.corners().len()).with_old_points(),
             places: mesh.points().to_vec(),
             known: HashMap::default(),
