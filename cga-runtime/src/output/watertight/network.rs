@@ -8,7 +8,6 @@ use super::search::Search;
 use crate::fixed_hash::FixedState;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
-use crate::geometry::work;
 use crate::output::near_origin::near_origin;
 
 /// Points at this share of the largest coordinate from an edge are in it: some steps of a 32-bit float.
@@ -16,9 +15,6 @@ const IN_EDGE: f64 = 5e-7;
 
 /// The largest distance from an edge in metres at which a point is in it.
 const FAR: f64 = 0.004;
-
-/// The units of work of a point or an edge.
-const COUNTING: usize = 8;
 
 /// The distinct points and edges. Tables are only for look-ups, never iterated.
 pub(super) struct Network {
@@ -44,6 +40,13 @@ pub(super) struct Network {
 pub(super) struct LeafPart {
     points: [usize; 2],
     edges: [usize; 2],
+}
+
+impl LeafPart {
+    /// The number of points and edges.
+    pub(super) fn size(self) -> usize {
+        self.points[1] - self.points[0] + self.edges[1] - self.edges[0]
+    }
 }
 
 impl Network {
@@ -117,9 +120,6 @@ impl Network {
 
     /// Finds the points inside of each edge. Returns false if the work is to end; no edge has points then.
     pub(super) fn find_points(&mut self) -> bool {
-        if !work::spend(COUNTING * (self.points.len() + self.edges.len())) {
-            return false;
-        }
         let search = Search { points: &self.points, edges: &self.edges, origin: self.origin, near: self.near() };
         match search.points_in_edges() {
             Some((ranges, inside)) => {

@@ -46,6 +46,7 @@ type Inside = (Vec<[u32; 2]>, Vec<u32>);
 /// An edge seen along its direction: the range of lengths along it, and the cells of the table in which its points may be.
 struct Seen {
     edge: u32,
+    segment: Segment,
     lengths: [f64; 2],
     cells: [u32; 4],
 }
@@ -166,10 +167,13 @@ impl Finder<'_> {
                 others.push(edge);
                 continue;
             }
+            let Some(segment) = self.search.segment(edge) else { continue };
             let reach = 1.25 * near;
             let mut own = [NO_CELL; 4];
             let mut last = None;
-            for (corner, [at_u, at_v]) in [[-reach, -reach], [-reach, reach], [reach, -reach], [reach, reach]].into_iter().enumerate() {
+            for (corner, [at_u, at_v]) in
+                [[-reach, -reach], [-reach, reach], [reach, -reach], [reach, reach]].into_iter().enumerate()
+            {
                 let place = cell(from[0] + at_u, from[1] + at_v);
                 // Most edges are in one cell.
                 if last == Some(place) {
@@ -182,7 +186,7 @@ impl Finder<'_> {
                     own[corner] = number;
                 }
             }
-            lines.push(Seen { edge, lengths: [from[2].min(to[2]), from[2].max(to[2])], cells: own });
+            lines.push(Seen { edge, segment, lengths: [from[2].min(to[2]), from[2].max(to[2])], cells: own });
         }
         let mut in_cells = Vec::new();
         // The number of points in each cell; later the end of its points.
@@ -216,7 +220,6 @@ impl Finder<'_> {
             if self.is_full() {
                 break;
             }
-            let Some(segment) = self.search.segment(line.edge) else { continue };
             for &cell in line.cells.iter().filter(|cell| **cell != NO_CELL) {
                 let points = &sorted[range(cell as usize)];
                 let is_sorted = MANY < points.len();
@@ -225,7 +228,7 @@ impl Finder<'_> {
                     if is_sorted && line.lengths[1] < at.length {
                         break;
                     }
-                    self.compare(&segment, at.point);
+                    self.compare(&line.segment, at.point);
                 }
             }
             self.end_edge(line.edge)?;

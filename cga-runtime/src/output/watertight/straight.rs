@@ -12,17 +12,18 @@ pub(super) struct StraightCorners {
 }
 
 impl StraightCorners {
-    /// Finds the corners of a face that are at most `near` from the line between the corners around them. Returns true if there are some.
-    pub(super) fn find(&mut self, face: &FaceRef<'_>, near: f64) -> bool {
+    /// Finds the corners of a face that are at most `near` from the line between the corners around them. `places` has the points of the
+    /// mesh in the world. Returns true if there are some.
+    pub(super) fn find(&mut self, face: &FaceRef<'_>, places: &[DVec3], near: f64) -> bool {
         self.marks.clear();
         if face.corner_count() == 3 || face.is_bent() {
             return false;
         }
         let range = face.corner_range();
         self.marks.resize(range.len(), false);
-        for ring in face.loop_ranges() {
+        for (ring, corners) in face.loop_ranges().zip(face.loops()) {
             let marks = &mut self.marks[ring.start - range.start..ring.end - range.start];
-            mark(marks, |at| face.position(ring.start + at), near);
+            mark(marks, |at| places[corners[at] as usize], near);
         }
         let is_reduced = self.marks.contains(&true);
         if !is_reduced {
@@ -37,8 +38,8 @@ impl StraightCorners {
     }
 
     /// Returns true if a face of the mesh has straight corners.
-    pub(super) fn are_in(&mut self, mesh: &Mesh, near: f64) -> bool {
-        mesh.faces().any(|face| self.find(&face, near))
+    pub(super) fn are_in(&mut self, mesh: &Mesh, places: &[DVec3], near: f64) -> bool {
+        mesh.faces().any(|face| self.find(&face, places, near))
     }
 }
 

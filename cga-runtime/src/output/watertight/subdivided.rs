@@ -75,7 +75,7 @@ impl Subdivider {
             points: Vec::new(),
         };
         for face in mesh.faces() {
-            let is_reduced = self.straight.find(&face, near);
+            let is_reduced = self.straight.find(&face, mesh.points(), near);
             self.face.read(&face, &self.straight, &mut edges);
             if !work::spend(face.corner_count() + self.face.sides.len()) {
                 return None;
