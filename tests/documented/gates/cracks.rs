@@ -8,7 +8,7 @@ use std::time::Duration;
 use cga::glam::DAffine3;
 use cga::sink::buffers::Buffers;
 use cga::sink::watertight::Watertight;
-use cga::{Building, Cuboid, Flow, Grammar, Leaf, Mesh, Model, Quad, Settings, Shape, Sink, Watch, cga};
+use cga::{Cuboid, Flow, Leaf, Mesh, Model, Quad, Settings, Shape, Sink, Watch, cga};
 use cga_gates::Triangles;
 use cga_tests::drawn::drawn;
 

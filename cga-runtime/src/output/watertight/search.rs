@@ -43,6 +43,9 @@ pub(super) struct Search<'a> {
 /// For each edge a range, and the numbers of points to which the ranges belong.
 type Inside = (Vec<[u32; 2]>, Vec<u32>);
 
+/// A direction and the numbers of its edges.
+type Direction = (DVec3, Vec<u32>);
+
 /// An edge seen along its direction: the range of lengths along it, and the cells of the table in which its points may be.
 struct Seen {
     edge: u32,
@@ -102,7 +105,7 @@ impl Search<'_> {
     }
 
     /// The directions of many edges, each with the numbers of its edges, and the other edges.
-    fn directions(&self) -> Option<(Vec<(DVec3, Vec<u32>)>, Vec<u32>)> {
+    fn directions(&self) -> Option<(Vec<Direction>, Vec<u32>)> {
         let mut numbers: HashMap<[i32; 3], u32, FixedState> = HashMap::default();
         // For each direction its longest edge.
         let mut found: Vec<(f64, DVec3, Vec<u32>)> = Vec::new();
