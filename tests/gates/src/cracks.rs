@@ -95,7 +95,9 @@ impl Triangles<'_> {
         let middle = 0.5 * pixels as f64;
         let project = |corner: DVec3| {
             let from = corner - centre;
-            [middle + from.dot(right) * scale, middle - from.dot(up) * scale, from.dot(towards)]
+            // Cards compute in 32 bits.
+            let at = [middle + from.dot(right) * scale, middle - from.dot(up) * scale].map(|c| f64::from(c as f32));
+            [at[0], at[1], from.dot(towards)]
         };
         let mut exact = vec![-diagonal; pixels * pixels];
         let mut closed = exact.clone();
