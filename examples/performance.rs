@@ -9,11 +9,12 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 
 /// Packages, benches and their arguments, in the order of the page.
-const BENCHES: [(&str, &str, &[&str]); 15] = [
+const BENCHES: [(&str, &str, &[&str]); 16] = [
     ("cga", "rules", &[]),
     ("cga", "queries", &[]),
     ("cga-tests", "city", &[]),
     ("cga", "files", &[]),
+    ("cga-tests", "watertight", &[]),
     ("cga", "scenes", &[]),
     ("cga", "scenes", &["--instructions"]),
     ("cga-tests", "memory", &[]),

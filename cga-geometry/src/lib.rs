@@ -73,7 +73,7 @@ pub(crate) mod frame;
 pub mod holes;
 pub mod hull;
 pub mod inner_rectangle;
-pub(crate) mod long_sort;
+pub mod long_sort;
 pub mod mesh;
 pub mod nesting;
 pub mod obj;

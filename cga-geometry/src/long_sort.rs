@@ -15,7 +15,7 @@ const MERGING: usize = 2;
 /// Sorts by a total order; elements that are equal in it have no order. Returns false if the work is to end; the list has all its elements
 /// then, in no order.
 #[must_use]
-pub(crate) fn long_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) -> bool {
+pub fn long_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) -> bool {
     for part in list.chunks_mut(PART) {
         part.sort_unstable_by(&compare);
         if !work::spend(SORTING * part.len()) {

@@ -5,6 +5,7 @@ use std::io::Write as _;
 use std::sync::Arc;
 
 use crate::fault::Error;
+use crate::geometry::work;
 use crate::run::building::Building;
 use crate::run::context::Cx;
 use crate::run::env::Env;
@@ -162,6 +163,9 @@ pub(crate) fn run<R: Rules>(
     // Sinks that pass leaves on to several others may ask more than once.
     let building = OnceCell::new();
     sink.end_building(&|| building.get_or_init(make).clone());
+    // A sink that works on whole buildings may have been stopped.
+    let mut outcome = outcome;
+    outcome.report.stopped |= outcome.error.is_none() && !work::spend(0);
     outcome
 }
 

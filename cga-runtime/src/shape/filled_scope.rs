@@ -86,6 +86,13 @@ impl Cuboid {
         [a, b, c, d, a + z, b + z, c + z, d + z]
     }
 
+    /// The vertices, in the order of `comp(v)`, as sinks write them.
+    pub(crate) fn points(&self) -> [DVec3; 8] {
+        let (corners, mut points) = (self.corners(), [self.origin; 8]);
+        points.iter_mut().zip(self.unit.numbers()).for_each(|(point, at)| *point = corners[usize::from(at & 7)]);
+        points
+    }
+
     /// The box as a closed mesh of eight vertices and six faces, in the order of `comp`.
     pub fn to_mesh(&self) -> Mesh {
         self.unit.mesh().map(&DAffine3 { matrix3: self.sides, translation: self.origin })

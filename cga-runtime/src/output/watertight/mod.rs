@@ -3,7 +3,10 @@
 //! A floor with five windows is below a floor with four: the corners of the one are inside the edges of the other. Graphics cards round
 //! the corners of triangles to parts of a pixel, so single pixels between the two floors show what is behind them.
 
-mod edge_points;
+mod held;
+mod network;
+mod search;
+mod straight;
 mod subdivided;
 
 use std::ops::ControlFlow;
@@ -11,27 +14,31 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DVec3};
 
-use self::edge_points::{EdgePoints, Points};
-use self::subdivided::subdivided;
+use self::held::{Held, HeldGeometry};
+use self::network::Network;
+use self::straight::StraightCorners;
+use self::subdivided::Subdivider;
 use crate::geometry::mesh::{Bounds, Mesh};
-use crate::geometry::uv_map::SetMap;
-use crate::material::Material;
-use crate::output::near_origin::near_origin;
+use crate::geometry::work::{self, Supervisor};
 use crate::run::building::Building;
-use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink, cuboid_mesh, quad_mesh};
-use crate::shape::scope::Scope;
-use crate::value::text::Text;
+use crate::run::sink::{Cuboid, Flow, Leaf, Quad, Sink};
+use crate::run::watch::Watch;
 
 /// A sink that passes leaves on to another one, with the corners of all leaves of an initial shape as corners of the edges that they lie
-/// in. Then neighbours have the same edges, and no pixel between them is left out. In faces as narrow as frames of windows, some points may
-/// remain inside of edges.
+/// in. Then neighbours have the same edges, and graphics cards leave out no pixel between them.
 ///
-/// It works with every sink, and texture coordinates, normals, rules, materials and tags stay. Faces with additional points become
-/// triangles; a leaf without additional points is passed on as it was. The leaves of one initial shape are in memory at a time. Different initial
-/// shapes keep their own corners, and so do inserted assets that nothing has cut ([`Sink::instance`]): one mesh serves all their places.
+/// It works with every sink, and texture coordinates, normals, rules, materials and tags stay. Faces with points or straight corners in
+/// their sides become triangles, and none of these has three points in one line. Leaves without such faces are passed on as they were. A
+/// corner that touches the inside of a face is no crack, also on the diagonal between two triangles of the face: it stays as it is.
 ///
-/// A house of 8,000 triangles gets 1.6 to 1.8 times as many. [`Model::watertight`](crate::output::model::Model::watertight) does the same
-/// for a model.
+/// The leaves of one initial shape are in memory at a time. Different initial shapes keep their own corners, and so do inserted assets
+/// that nothing has cut ([`Sink::instance`]): one mesh serves all their places. Each added corner adds one triangle: the house of the README
+/// gets 1.6 times as many triangles.
+///
+/// The time grows with the number of corners, times its logarithm. Runs ask their watch meanwhile. A shape with very many parts in one
+/// place could need corners without limit; it gets at most eight times its own, and some of its edges keep points inside.
+///
+/// [`Model::watertight`](crate::output::model::Model::watertight) does the same for a model.
 ///
 /// ```
 /// # use cga_runtime as cga;
@@ -60,88 +67,29 @@ use crate::value::text::Text;
 pub struct Watertight<S> {
     inner: S,
     held: Vec<Held>,
-    /// True after the other sink has ended the run.
+    watch: Option<Watch>,
+    /// True after the other sink or the watch has ended the run.
     ended: bool,
 }
 
-/// A leaf that waits for the other leaves of its initial shape.
-#[derive(Clone, Debug)]
-struct Held {
-    rule: Text,
-    material: Arc<Material>,
-    scope: Scope,
-    uvs: Vec<SetMap>,
-    geometry: HeldGeometry,
-}
+/// The most corners that a shape may get, for each of its corners, and for every shape. Only shapes with many parts in one place have more.
+const MOST_CORNERS: (usize, usize) = (8, 1 << 16);
 
-#[derive(Clone, Debug)]
-enum HeldGeometry {
-    Placement,
-    Quad(Quad),
-    Cuboid(Cuboid),
-    Mesh(Arc<Mesh>, DAffine3),
-    Instance(Arc<Mesh>, DAffine3),
-}
-
-impl Held {
-    fn leaf(&self) -> Leaf<'_> {
-        Leaf::new(&self.rule, &self.material, &self.scope).with_uvs(&self.uvs)
-    }
-
-    /// Calls `each` with the points of each loop of the faces, in the world.
-    fn loops(&self, each: &mut dyn FnMut(&[DVec3])) {
-        match &self.geometry {
-            HeldGeometry::Placement | HeldGeometry::Instance(..) => {}
-            HeldGeometry::Quad(quad) => each(&quad.corners()),
-            HeldGeometry::Cuboid(cuboid) => cuboid.faces().iter().for_each(|face| each(&face.corners())),
-            HeldGeometry::Mesh(mesh, placement) => {
-                let mut points = Vec::new();
-                for face in mesh.faces() {
-                    for ring in face.loops() {
-                        points.clear();
-                        points.extend(
-                            ring.iter().map(|&point| placement.transform_point3(mesh.points()[point as usize])),
-                        );
-                        each(&points);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Passes the leaf on as it was.
-    fn pass_to<S: Sink>(&self, sink: &mut S) -> Flow {
-        match &self.geometry {
-            HeldGeometry::Placement => sink.placement(&self.leaf()),
-            HeldGeometry::Quad(quad) => sink.quad(&self.leaf(), quad),
-            HeldGeometry::Cuboid(cuboid) => sink.cuboid(&self.leaf(), cuboid),
-            HeldGeometry::Mesh(mesh, placement) => sink.mesh(&self.leaf(), mesh, placement),
-            HeldGeometry::Instance(mesh, placement) => sink.instance(&self.leaf(), mesh, placement),
-        }
-    }
-
-    /// Passes the leaf on with all points inside of its edges.
-    fn pass_divided_to<S: Sink>(&self, sink: &mut S, edges: &EdgePoints) -> Flow {
-        let mut divides = false;
-        self.loops(&mut |ring| divides |= edges.divides(ring));
-        if !divides {
-            return self.pass_to(sink);
-        }
-        let leaf = self.leaf();
-        let (mesh, placement) = match &self.geometry {
-            HeldGeometry::Quad(quad) => (quad_mesh(&leaf, quad), DAffine3::IDENTITY),
-            HeldGeometry::Cuboid(cuboid) => (cuboid_mesh(&leaf, cuboid), DAffine3::IDENTITY),
-            HeldGeometry::Mesh(mesh, placement) => (mesh.clone(), *placement),
-            HeldGeometry::Placement | HeldGeometry::Instance(..) => return self.pass_to(sink),
-        };
-        sink.mesh(&leaf, &Arc::new(subdivided(&mesh, &placement, edges)), &placement)
-    }
-}
+/// The units of work of a leaf.
+const LEAF: usize = 64;
 
 impl<S: Sink> Watertight<S> {
     /// Passes leaves on to `inner`.
     pub fn new(inner: S) -> Self {
-        Watertight { inner, held: Vec::new(), ended: false }
+        Watertight { inner, held: Vec::new(), watch: None, ended: false }
+    }
+
+    /// Asks a watch while it works. In a run it asks the watch of the run, so this is for leaves that come from elsewhere, such as
+    /// [`Model::replay`](crate::output::model::Model::replay). After the watch is stopped, the leaves of the initial shape are passed on as they
+    /// were, and the next leaf ends the run.
+    #[must_use]
+    pub fn with_watch(self, watch: Watch) -> Self {
+        Watertight { watch: Some(watch), ..self }
     }
 
     /// The other sink, with all leaves. It is not [finished](Sink::finish).
@@ -156,13 +104,7 @@ impl<S: Sink> Watertight<S> {
 
     fn hold(&mut self, leaf: &Leaf<'_>, geometry: HeldGeometry) -> Flow {
         self.flow()?;
-        self.held.push(Held {
-            rule: leaf.rule.clone(),
-            material: leaf.material.clone(),
-            scope: leaf.scope(),
-            uvs: leaf.uvs().to_vec(),
-            geometry,
-        });
+        self.held.push(Held::new(leaf, geometry));
         ControlFlow::Continue(())
     }
 
@@ -172,17 +114,69 @@ impl<S: Sink> Watertight<S> {
         if held.is_empty() || self.ended {
             return;
         }
-        let mut bounds = Bounds::EMPTY;
-        held.iter().for_each(|leaf| leaf.loops(&mut |ring| bounds = bounds.union(Bounds::of(ring.iter().copied()))));
-        let mut points = Points::new(near_origin(bounds));
-        held.iter().for_each(|leaf| leaf.loops(&mut |ring| points.add(ring)));
-        let edges = points.edges();
-        let flow = held.iter().try_for_each(|leaf| leaf.pass_divided_to(&mut self.inner, &edges));
-        self.ended = flow.is_break();
+        let watch = self.watch.clone();
+        let _supervisor = watch.map(|watch| Supervisor::new(move |units| watch.allows(units)));
+        // Small shapes would end before the first question.
+        let goes_on = self.watch.is_none() || work::ask();
+        let flow = match goes_on {
+            true => pass_divided(&held, &mut self.inner),
+            false => held.iter().try_for_each(|leaf| leaf.pass_to(&mut self.inner)),
+        };
+        self.ended = flow.is_break() || self.watch.as_ref().is_some_and(Watch::is_stopped);
     }
 }
 
+/// Passes leaves on with all points inside of their edges.
+fn pass_divided<S: Sink>(held: &[Held], sink: &mut S) -> Flow {
+    let (mut bounds, mut points, mut corners) = (Bounds::EMPTY, Vec::new(), 0);
+    for leaf in held {
+        if let Some(faces) = leaf.faces(&mut points) {
+            corners += faces.mesh.corners().len();
+            let is_finite = |point: &DVec3| point.is_finite();
+            bounds = bounds.union(Bounds::of(points.iter().copied().filter(is_finite)));
+        }
+    }
+    let mut network = Network::new(bounds);
+    let mut parts = Vec::with_capacity(held.len());
+    for leaf in held {
+        let faces = leaf.faces(&mut points);
+        if !work::spend(LEAF + points.len()) {
+            break;
+        }
+        parts.push(faces.map(|faces| (network.add(faces.mesh, &points, faces.is_closed), faces.is_unit)));
+    }
+    let mut goes_on = network.find_points();
+    let near = network.near();
+    let (mut subdivider, mut straight) = (Subdivider::default(), StraightCorners::default());
+    let mut room = MOST_CORNERS.0 * corners + MOST_CORNERS.1;
+    for (number, leaf) in held.iter().enumerate() {
+        let part = parts.get(number).copied().flatten();
+        goes_on = goes_on && work::spend(LEAF + part.map_or(0, |(part, _)| part.size()));
+        let divided = part.filter(|_| goes_on && 0 < room).and_then(|(part, is_unit)| {
+            let mut has_straight =
+                || leaf.faces(&mut points).is_some_and(|faces| straight.are_in(faces.mesh, &points, near));
+            if !network.divides(part) && (is_unit || !has_straight()) {
+                return None;
+            }
+            let made = subdivider.subdivided(leaf.mesh()?.as_ref(), &network, part, near)?;
+            let rest = room.checked_sub(made.corners().len());
+            room = rest.unwrap_or_default();
+            rest.map(|_| made)
+        });
+        match divided {
+            Some(mesh) => sink.mesh(&leaf.leaf(), &Arc::new(mesh), &DAffine3::IDENTITY)?,
+            None => leaf.pass_to(sink)?,
+        }
+    }
+    ControlFlow::Continue(())
+}
+
 impl<S: Sink> Sink for Watertight<S> {
+    fn begin(&mut self) {
+        self.pass_held();
+        self.inner.begin();
+    }
+
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         self.hold(leaf, HeldGeometry::Quad(*quad))
     }

@@ -1,152 +1,221 @@
 //! Meshes with more points in their edges.
+//!
+//! A face is divided as sinks divide it, but without its straight corners. Then each triangle with points in its sides is divided into
+//! triangles of which none has three points in one line.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
-use glam::{DAffine3, DVec3};
+use glam::{DVec2, DVec3};
 
-use super::edge_points::EdgePoints;
+use super::network::{LeafPart, Network};
+use super::straight::StraightCorners;
 use crate::fixed_hash::FixedState;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::geometry::each::Each;
-use crate::geometry::mesh::Mesh;
+use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::origin::PointOrigin;
-use crate::geometry::triangulate::Triangulator;
+use crate::geometry::triangulate::{PlaneProjection, Triangulator};
+use crate::geometry::work;
 
-/// The mesh with all points inside of its edges as corners, and faces with such points as triangles. `placement` maps it to the world,
-/// where the points are.
-pub(super) fn subdivided(mesh: &Mesh, placement: &DAffine3, edges: &EdgePoints) -> Mesh {
-    let divided = with_points(mesh, placement, edges);
-    let mut made = Derivation::new(&divided, CornerValues::All, 2 * divided.corners().len()).with_old_points();
-    let (mut triangulator, mut corners) = (Triangulator::default(), Vec::new());
-    for (face, before) in divided.faces().zip(mesh.faces()) {
-        if face.corner_count() == before.corner_count() {
-            made.face(face.loops(), FaceOrigin::piece(&face));
-            continue;
-        }
-        corners.clear();
-        triangulator.face(&divided, face.index(), &mut corners);
-        let point = |corner: u32| divided.corners()[corner as usize];
-        let mut triangles: Vec<[u32; 3]> = corners.iter().map(|triangle| triangle.each(point)).collect();
-        with_area(&mut triangles, &|point| divided.points()[point as usize]);
-        face.loops().for_each(|ring| with_corners(&mut triangles, ring));
-        for triangle in triangles {
-            made.face([triangle], FaceOrigin::piece(&face));
-        }
-    }
-    made.finish()
+/// Makes meshes with more points in their edges. It keeps its lists from mesh to mesh.
+#[derive(Default)]
+pub(super) struct Subdivider {
+    triangulator: Triangulator,
+    straight: StraightCorners,
+    face: DividedFace,
+    flat: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
 }
 
-/// A triangle whose height is below this share of its longest side has no area.
-const FLAT: f64 = 1e-7;
-
-/// The edge of a triangle without area that contains the third corner, as the number of its first corner.
-fn flat_edge(triangle: [u32; 3], place: &impl Fn(u32) -> DVec3) -> Option<usize> {
-    let places = triangle.each(place);
-    let length = |k: usize| (places[(k + 1) % 3] - places[k]).length();
-    let longest = (0..3).fold(0, |most, k| if length(most) < length(k) { k } else { most });
-    let area = (places[1] - places[0]).cross(places[2] - places[0]).length();
-    (area <= FLAT * length(longest) * length(longest)).then_some(longest)
+/// A face whose sides have points.
+#[derive(Default)]
+struct DividedFace {
+    /// The corners that are not straight, loop by loop.
+    corners: Vec<Corner>,
+    ends: Vec<u32>,
+    /// The straight corners and the points inside of edges.
+    sides: Vec<u32>,
+    /// The points on the way from one corner of a triangle to another one, on both sides.
+    chains: [Vec<u32>; 2],
+    made: Vec<[u32; 3]>,
 }
 
-/// Changes triangles of a polygon so that none is without area: one with a corner inside of its longest edge, and its neighbour at this
-/// edge, become two others. A card would not draw it, and the neighbour would have a corner of others inside of an edge.
-fn with_area(triangles: &mut [[u32; 3]], place: &impl Fn(u32) -> DVec3) {
-    // The triangle of each directed edge. Only for look-ups, never iterated.
-    let mut owners: HashMap<[u32; 2], usize, FixedState> = HashMap::default();
-    let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
-    for (number, triangle) in triangles.iter().enumerate() {
-        for edge in edges(*triangle) {
-            owners.insert(edge, number);
-        }
-    }
-    let mut flat: Vec<usize> = (0..triangles.len()).filter(|at| flat_edge(triangles[*at], place).is_some()).collect();
-    // Each change makes one less. In a row of flat triangles, the last has a neighbour with area.
-    while !flat.is_empty() {
-        let before = flat.len();
-        flat.retain(|&at| {
-            let Some(long) = flat_edge(triangles[at], place) else { return false };
-            let [a, b, middle] = [0, 1, 2].each(|k| triangles[at][(long + k) % 3]);
-            let Some(&beside) = owners.get(&[b, a]) else { return true };
-            let Some(&far) = triangles[beside].iter().find(|corner| ![a, b].contains(corner)) else { return true };
-            if beside == at || flat_edge(triangles[beside], place).is_some() {
-                return true;
-            }
-            triangles[at] = [b, middle, far];
-            triangles[beside] = [middle, a, far];
-            for number in [at, beside] {
-                for edge in edges(triangles[number]) {
-                    owners.insert(edge, number);
-                }
-            }
-            false
-        });
-        if flat.len() == before {
-            break;
-        }
-    }
+/// A corner that is not straight, and the side after it.
+#[derive(Clone, Debug)]
+struct Corner {
+    point: u32,
+    /// The place of the next corner in the list.
+    next: u32,
+    /// The points of the side in `sides`.
+    side: Range<usize>,
 }
 
-/// Divides triangles of a polygon that leave out corners of a loop: the corners inside of a straight side need not be in a triangle.
-fn with_corners(triangles: &mut Vec<[u32; 3]>, ring: &[u32]) {
-    let count = ring.len();
-    for at in 0..count {
-        let from = ring[at];
-        let owner = |triangles: &[[u32; 3]], to: u32| {
-            triangles.iter().position(|t| (0..3).any(|k| [t[k], t[(k + 1) % 3]] == [from, to]))
+/// A mesh under construction, with points in the edges of another one.
+struct EdgePoints<'a> {
+    network: &'a Network,
+    part: LeafPart,
+    made: Derivation<'a>,
+    places: Vec<DVec3>,
+    /// The new points in each edge, from its lower point to its higher one. Only for look-ups, never iterated.
+    known: HashMap<[u32; 2], Range<usize>, FixedState>,
+    points: Vec<u32>,
+}
+
+impl Subdivider {
+    /// The mesh of a leaf in the world with all points inside of its edges as corners, and faces with such points as triangles. `near` is
+    /// the distance from an edge within which a corner is in it. `None` if the work is to end.
+    pub(super) fn subdivided(&mut self, mesh: &Mesh, network: &Network, part: LeafPart, near: f64) -> Option<Mesh> {
+        let mut edges = EdgePoints {
+            network,
+            part,
+            made: Derivation::new(mesh, CornerValues::All, 2 * mesh.corners().len()).with_old_points(),
+            places: mesh.points().to_vec(),
+            known: HashMap::default(),
+            points: Vec::new(),
         };
-        if owner(triangles, ring[(at + 1) % count]).is_some() {
-            continue;
+        for face in mesh.faces() {
+            let is_reduced = self.straight.find(&face, mesh.points(), near);
+            self.face.read(&face, &self.straight, &mut edges);
+            if !work::spend(face.corner_count() + self.face.sides.len()) {
+                return None;
+            }
+            if self.face.sides.is_empty() {
+                edges.made.keep(face.loop_ranges(), FaceOrigin::piece(&face));
+                continue;
+            }
+            self.triangles.clear();
+            if is_reduced {
+                let projection = PlaneProjection::along(face.normal());
+                self.flat.clear();
+                self.flat.extend(self.face.corners.iter().map(|c| projection.apply(edges.places[c.point as usize])));
+                self.triangulator.polygon(&self.flat, &self.face.ends, &mut self.triangles);
+            } else {
+                self.triangulator.face(mesh, face.index(), &mut self.triangles);
+                let start = face.corner_range().start as u32;
+                self.triangles.iter_mut().flatten().for_each(|corner| *corner -= start);
+            }
+            self.face.made.clear();
+            self.triangles.iter().for_each(|triangle| self.face.divide(*triangle, &edges.places));
+            self.face.made.iter().for_each(|triangle| edges.made.face([triangle], FaceOrigin::piece(&face)));
         }
-        // The triangle has a side from here over some corners.
-        let further = (2..count).map(|step| ring[(at + step) % count]);
-        let Some((to, found)) = further.filter_map(|to| Some((to, owner(triangles, to)?))).next() else { continue };
-        let Some(&far) = triangles[found].iter().find(|corner| ![from, to].contains(corner)) else { continue };
-        let next = ring[(at + 1) % count];
-        triangles[found] = [from, next, far];
-        triangles.push([next, to, far]);
+        Some(edges.made.finish())
     }
 }
 
-/// A point with the coordinates that both ends of its edge have, so that straight sides stay straight to the last digit.
-fn on_edge(point: DVec3, [low, high]: [DVec3; 2]) -> DVec3 {
-    DVec3::select(low.cmpeq(high), low, point)
+impl EdgePoints<'_> {
+    /// The points inside of an edge, as a range of `points`, and true if they come from its second end to its first.
+    fn of_edge(&mut self, [from, to]: [u32; 2]) -> (Range<usize>, bool) {
+        let ends = [from.min(to), from.max(to)];
+        if let Some(range) = self.known.get(&ends) {
+            return (range.clone(), to < from);
+        }
+        let (inside, is_turned) = self.network.inside(self.part, ends);
+        if inside.is_empty() {
+            return (0..0, false);
+        }
+        let start = self.points.len();
+        let [low, high] = ends.each(|end| self.places[end as usize]);
+        let length = (high - low).length();
+        for &point in inside {
+            let place = self.network.place(point);
+            let share = ((place - low).length() / length).clamp(0.0, 1.0);
+            self.points.push(self.made.point(place, PointOrigin::Between { ends, share }));
+            self.places.push(place);
+        }
+        if is_turned {
+            self.points[start..].reverse();
+        }
+        let range = start..self.points.len();
+        self.known.insert(ends, range.clone());
+        (range, to < from)
+    }
 }
 
-/// The mesh with all points inside of its edges as corners.
-fn with_points(mesh: &Mesh, placement: &DAffine3, edges: &EdgePoints) -> Mesh {
-    let back = placement.inverse();
-    let place = |point: u32| placement.transform_point3(mesh.points()[point as usize]);
-    let is_placed = *placement != DAffine3::IDENTITY;
-    let mut made = Derivation::new(mesh, CornerValues::All, mesh.corners().len()).with_old_points();
-    // The new points of each edge, from its lower point to its higher one. Only for look-ups, never iterated.
-    let mut known: HashMap<[u32; 2], Vec<u32>, FixedState> = HashMap::default();
-    for face in mesh.faces() {
-        let mut loops: Vec<Vec<u32>> = Vec::new();
-        for ring in face.loops() {
-            let mut corners = Vec::with_capacity(ring.len());
-            for (&from, &to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                corners.push(from);
-                let ends = [from.min(to), from.max(to)];
-                let points = known.entry(ends).or_insert_with(|| {
-                    let [low, high] = ends.each(place);
-                    let length = (high - low).length();
-                    let added = edges.inside([low, high]).map(|point| {
-                        let share = ((point - low).length() / length).clamp(0.0, 1.0);
-                        let local = if is_placed { back.transform_point3(point) } else { point };
-                        let local = on_edge(local, ends.each(|end| mesh.points()[end as usize]));
-                        made.point(local, PointOrigin::Between { ends, share })
-                    });
-                    added.collect()
-                });
-                if from == ends[0] {
-                    corners.extend_from_slice(points);
+impl DividedFace {
+    /// Reads the corners and sides of a face.
+    fn read(&mut self, face: &FaceRef<'_>, straight: &StraightCorners, edges: &mut EdgePoints<'_>) {
+        self.corners.clear();
+        self.ends.clear();
+        self.sides.clear();
+        for (ring, range) in face.loops().zip(face.loop_ranges()) {
+            let first = self.corners.len();
+            let is_straight = |at: usize| straight.has(range.start - face.corner_range().start + at % ring.len());
+            let start = (0..ring.len()).find(|at| !is_straight(*at)).unwrap_or_default();
+            for at in start..start + ring.len() {
+                let [point, next] = [at, at + 1].each(|at| ring[at % ring.len()]);
+                if is_straight(at) {
+                    self.sides.push(point);
                 } else {
-                    corners.extend(points.iter().rev());
+                    self.end_side(first);
+                    let end = self.sides.len();
+                    self.corners.push(Corner { point, next: first as u32, side: end..end });
+                }
+                let (points, is_turned) = edges.of_edge([point, next]);
+                let start = self.sides.len();
+                self.sides.extend(&edges.points[points]);
+                if is_turned {
+                    self.sides[start..].reverse();
                 }
             }
-            loops.push(corners);
+            self.end_side(first);
+            if let Some(last) = self.corners[first..].last_mut() {
+                last.next = first as u32;
+            }
+            self.ends.push(self.corners.len() as u32);
         }
-        made.face(loops, FaceOrigin::piece(&face));
     }
-    made.finish()
+
+    /// Ends the side after the last corner of the loop that begins with a corner.
+    fn end_side(&mut self, first: usize) {
+        let (next, end) = (self.corners.len() as u32, self.sides.len());
+        if let Some(last) = self.corners[first..].last_mut() {
+            (last.next, last.side.end) = (next, end);
+        }
+    }
+
+    /// Divides a triangle of corners at all points of its sides.
+    fn divide(&mut self, triangle: [u32; 3], places: &[DVec3]) {
+        let corners = triangle.each(|corner| &self.corners[corner as usize]);
+        let side = |k: usize| match corners[k].next == triangle[(k + 1) % 3] {
+            true => &self.sides[corners[k].side.clone()],
+            false => &[],
+        };
+        let point = |k: usize| corners[k % 3].point;
+        let Some(k) = (0..3).find(|k| !side(*k).is_empty()) else {
+            self.made.push([point(0), point(1), point(2)]);
+            return;
+        };
+        // From one end of a side to the other: along the side, and along the two others. The first and the last triangle have an end,
+        // and the others have points of both ways, which are never three on one line.
+        let [right, left] = &mut self.chains;
+        right.clear();
+        right.extend(side(k));
+        left.clear();
+        left.extend(side((k + 2) % 3).iter().rev());
+        left.push(point(k + 2));
+        left.extend(side((k + 1) % 3).iter().rev());
+        let distance = |a: u32, b: u32| places[a as usize].distance_squared(places[b as usize]);
+        let made = &mut self.made;
+        let mut add = |triangle: [u32; 3]| {
+            let [a, b, c] = triangle;
+            if a != b && b != c && c != a {
+                made.push(triangle);
+            }
+        };
+        let (mut r, mut l) = (0, 0);
+        add([point(k), right[r], left[l]]);
+        while r + 1 < right.len() || l + 1 < left.len() {
+            let is_right_next = l + 1 == left.len()
+                || (r + 1 < right.len() && distance(right[r + 1], left[l]) <= distance(right[r], left[l + 1]));
+            if is_right_next {
+                add([right[r], right[r + 1], left[l]]);
+                r += 1;
+            } else {
+                add([right[r], left[l + 1], left[l]]);
+                l += 1;
+            }
+        }
+        add([right[r], point(k + 1), left[l]]);
+    }
 }
