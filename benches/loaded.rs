@@ -6,12 +6,12 @@ mod common;
 #[path = "../examples/district.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the rules are needed alone")]
 mod district;
+#[path = "../examples/front.rs"]
+#[allow(dead_code, unreachable_pub, reason = "the rules are needed alone")]
+mod front;
 #[path = "../tests/inline.rs"]
 #[allow(dead_code, unreachable_pub, reason = "tests share it")]
 mod inline;
-#[path = "../examples/readme.rs"]
-#[allow(dead_code, unreachable_pub, reason = "the rules are needed alone")]
-mod readme;
 #[path = "../examples/scenes/mod.rs"]
 #[allow(dead_code, unreachable_pub, reason = "the pictures of the scenes are made elsewhere")]
 mod scenes;
@@ -28,8 +28,8 @@ use workloads::sponge::Menger;
 /// The seconds for which each row is repeated.
 const SECONDS: f64 = 1.0;
 
-/// The source of the README's house.
-const README: &str = include_str!("../examples/readme.rs");
+/// The source of the house front.
+const FRONT: &str = include_str!("../examples/front.rs");
 
 /// Rules, compiled and loaded, and the shapes that they run on.
 struct Subject {
@@ -46,7 +46,7 @@ fn subjects() -> Vec<Subject> {
         |name, text: &str, compiled: Box<dyn Grammar>, shapes| Subject { name, text: text.into(), compiled, shapes };
     let inline = |source: &str, name| inline::named(source, name).rules;
     vec![
-        row("README's house", &inline(README, "House"), readme::house(17.0), lots()),
+        row("house front", &inline(FRONT, "House"), front::house(17.0), lots()),
         row(
             "tower",
             &inline(&format!("cga! {{\n{}\n}}", tower.rules), "Tower"),
@@ -116,9 +116,9 @@ fn main() {
     large();
 }
 
-/// The time to load 400 rules: the house of the README, forty times, with a number after each name.
+/// The time to load 400 rules: the house front, forty times, with a number after each name.
 fn large() {
-    let house = inline::named(README, "House").rules;
+    let house = inline::named(FRONT, "House").rules;
     let names =
         ["Lot", "Ledge", "Cornice", "Walls", "Floor", "Pier", "Bay", "Door", "Window", "Bars", "Frame", "height"];
     let numbered = |number: usize| {

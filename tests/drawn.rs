@@ -5,7 +5,7 @@ use std::error::Error;
 use cga::{Model, Settings};
 
 use crate::scenes::{Scene, scenes};
-use crate::{district, guide, hello, lots, massing, readme, textured, tower};
+use crate::{district, front, guide, hello, lots, massing, textured, tower};
 
 /// A model, or the error of its run.
 pub type Made = Result<Model, Box<dyn Error>>;
@@ -37,7 +37,7 @@ pub fn drawn() -> Vec<Drawn> {
     let step = |step| Drawn::new(format!("tutorial step {step}"), move |settings| Ok(guide::model(step, settings)?));
     let examples = [
         Drawn::new("example hello", |settings| Ok(hello::model(settings)?)),
-        Drawn::new("example readme", |settings| Ok(readme::model(settings)?)),
+        Drawn::new("example front", |settings| Ok(front::model(settings)?)),
         Drawn::new("example tower", |settings| Ok(tower::model(settings)?)),
         Drawn::new("example textured", textured::model),
         Drawn::new("example lots", |settings| Ok(lots::model(settings)?.to_model())),

@@ -20,6 +20,10 @@ pub mod scenes;
 mod district;
 
 #[allow(dead_code, reason = "as above")]
+#[path = "../examples/front.rs"]
+mod front;
+
+#[allow(dead_code, reason = "as above")]
 #[path = "../examples/guide/main.rs"]
 mod guide;
 
@@ -34,10 +38,6 @@ mod lots;
 #[allow(dead_code, reason = "as above")]
 #[path = "../examples/massing.rs"]
 mod massing;
-
-#[allow(dead_code, reason = "as above")]
-#[path = "../examples/readme.rs"]
-mod readme;
 
 #[allow(dead_code, reason = "as above")]
 #[path = "../examples/textured.rs"]

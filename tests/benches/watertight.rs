@@ -1,4 +1,4 @@
-//! The time of crack-free output: of the README's house, the tower and the district, in buffers and as GLB files.
+//! The time of crack-free output: of the house front, the tower and the district, in buffers and as GLB files.
 //!
 //! `cargo bench -p cga-tests --bench watertight`
 
@@ -33,7 +33,7 @@ fn main() {
         "run and GLB, times",
     ];
     let mut table = Table::new("Crack-free output", &columns);
-    let names = ["example readme", "example tower", "example district"];
+    let names = ["example front", "example tower", "example district"];
     drawn().iter().filter(|drawn| names.contains(&drawn.name.as_str())).for_each(|drawn| row(drawn, &mut table));
     table.print();
 }

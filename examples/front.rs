@@ -1,6 +1,6 @@
-//! The picture of the README: `docs/readme.png`.
+//! A house front with piers, set-back windows and a cornice: `docs/front.png`.
 //!
-//! `cargo run --release --example readme`
+//! `cargo run --release --example front`
 
 use cga::sink::picture::Picture;
 use cga::{Error, Grammar, Model, Settings, Shape, cga};
@@ -37,7 +37,7 @@ pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = model(&Settings::default())?;
     std::fs::create_dir_all("docs")?;
-    Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/readme.png")?;
-    println!("wrote docs/readme.png");
+    Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/front.png")?;
+    println!("wrote docs/front.png");
     Ok(())
 }
