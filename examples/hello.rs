@@ -7,9 +7,9 @@ cga! {
     grammar House;
     attr height = 9
     Lot    --> extrude(height) color("#e8dcc0") comp(f) { side : Facade | top : roofHip(35, 0.6) color("#9c4a36") Roof. }
-    Facade --> split(y) { { ~3 : Storey }* }
-    Storey --> split(x) { 0.6 : Wall. | { ~2.4 : Bay }* | 0.6 : Wall. }
-    Bay    --> offset(-0.6) comp(f) { inside : color("#55788c") extrude(0.06) Window. | border : Wall. }
+    Facade --> split(y) { 0.6 : color("#8d8a83") Plinth. | { ~3 : split(x) { 0.6 : Wall. | { ~2.4 : Bay }* | 0.6 : Wall. } }* }
+    Bay    --> offset(-0.6) comp(f) { inside : Window | border : Wall. }
+    Window --> offset(-0.1) comp(f) { inside : color("#55788c") Glass. | border : color("#fbf8f1") extrude(0.08) Frame. }
 }
 
 /// The house of the picture.
@@ -20,7 +20,7 @@ pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = model(&Settings::default())?;
     std::fs::create_dir_all("docs")?;
-    Picture::new(900, 560).looking_from(28.0, 16.0).render(&model).write_png("docs/house.png")?;
+    Picture::new(900, 560).looking_from(30.0, 12.0).render(&model).write_png("docs/house.png")?;
     println!("wrote docs/house.png with {} parts", model.len());
     Ok(())
 }

@@ -132,15 +132,23 @@ impl AllowedValues {
 
 /// Reports values in a `@Range` (*CGA changelog 2017.1*).
 fn old_list(cx: &mut Context, span: Span, values: &ChoiceValues) {
-    let list: Vec<String> = match values {
-        ChoiceValues::Floats(list) => list.iter().map(f64::to_string).collect(),
-        ChoiceValues::Texts(list) => list.iter().map(|text| format!("{text:?}")).collect(),
-        ChoiceValues::Attr(_) => return,
-    };
-    let written =
-        if list.len() <= MOST_SHOWN { list.join(", ") } else { format!("{}, …", list[..MOST_SHOWN].join(", ")) };
+    let Some(list) = written(values) else { return };
     let diag = cx.diags.report(Code::OldSpelling, span, "`@Range` with values is an old spelling");
-    diag.help(format!("write `@Enum({written})`"));
+    diag.help(format!("write `@Enum({})`", beginning(&list)));
+}
+
+/// A list as it is written, without its end if it is long.
+fn beginning(list: &[String]) -> String {
+    if list.len() <= MOST_SHOWN { list.join(", ") } else { format!("{}, …", list[..MOST_SHOWN].join(", ")) }
+}
+
+/// The values of a list as rules write them.
+fn written(values: &ChoiceValues) -> Option<Vec<String>> {
+    match values {
+        ChoiceValues::Floats(list) => Some(list.iter().map(f64::to_string).collect()),
+        ChoiceValues::Texts(list) => Some(list.iter().map(|text| format!("{text:?}")).collect()),
+        ChoiceValues::Attr(_) => None,
+    }
 }
 
 /// Reports a default outside the restricted values.
@@ -162,7 +170,11 @@ fn stray_default(cx: &mut Context, decl: &Decl, info: &AttrInfo) {
         }
         _ => return,
     };
+    let allowed = info.held_to_choices().and_then(written);
     let diag = cx.diags.report(Code::StrayDefault, value.span, message);
+    if let Some(list) = allowed.filter(|_| stray.is_none()) {
+        diag.note(format!("the allowed values are {}", beginning(&list)));
+    }
     diag.note("a host program that sets another value cannot set the default again");
     if let Some(near) = near {
         diag.help(near);

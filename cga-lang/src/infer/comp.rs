@@ -44,7 +44,14 @@ impl<'a> Infer<'_, 'a, '_> {
             Some(Type::Bool) | None => {}
             Some(ty) => {
                 let why = self.vars.why(var).filter(|why| *why != selector.span);
+                let tag = match &selector.kind {
+                    ExprKind::Text(tag) => Some(format!("write `isTagged(\"{tag}\")` for the parts with this tag")),
+                    _ => None,
+                };
                 let diag = self.mismatch(selector.span, "a selector is a word, a bool or a float, this is", ty);
+                if let Some(help) = tag {
+                    diag.help(help);
+                }
                 if let Some(why) = why {
                     diag.related(format!("found to be a {}", ty.word()), why);
                 }

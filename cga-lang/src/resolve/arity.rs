@@ -75,8 +75,14 @@ pub(crate) fn wrong_form<'c>(
         least.saturating_sub(args.len()).max(args.len().saturating_sub(most))
     };
     let near = rows.iter().map(far).min();
+    // Words that are one word, as in `center(x, z)`.
+    let joined: String = words.iter().copied().flatten().collect();
+    let is_joined = |row: &&Operation| {
+        words.iter().all(Option::is_some) && matches!(row.params, [param] if is_word(param, Some(&joined)))
+    };
     match rows.iter().find_map(|row| row.old) {
         Some(instead) => diag.help(instead),
+        None if rows.iter().any(|row| is_joined(&row)) => diag.help(format!("write `{}({joined})`", name.text)),
         None => diag.help(format!(
             "write {}",
             usages(rows.iter().filter(|row| Some(far(row)) == near).map(|row| form(row, &words)))

@@ -31,9 +31,6 @@ const VALUES: &[(&str, &str)] = &[
     ("scope.height", "scope.sy"),
     ("scope.depth", "scope.sz"),
     ("scope.length", "scope.sx"),
-    ("scope.x", "scope.tx"),
-    ("scope.y", "scope.ty"),
-    ("scope.z", "scope.tz"),
     ("pi", "3.14159265"),
     ("PI", "3.14159265"),
 ];
@@ -42,6 +39,18 @@ const VALUES: &[(&str, &str)] = &[
 pub(crate) fn value(name: &str) -> Option<&'static str> {
     let own = name.strip_prefix("this.").unwrap_or(name);
     VALUES.iter().find(|(name, _)| *name == own).map(|(_, meant)| *meant)
+}
+
+/// The sizes and positions of the scope that an attribute of another language may mean.
+const SIZES_OR_PLACES: &[(&str, [&str; 2])] = &[
+    ("scope.x", ["scope.sx", "scope.tx"]),
+    ("scope.y", ["scope.sy", "scope.ty"]),
+    ("scope.z", ["scope.sz", "scope.tz"]),
+];
+
+/// The size and the position that a value with another name may mean.
+pub(crate) fn size_or_place(name: &str) -> Option<[&'static str; 2]> {
+    SIZES_OR_PLACES.iter().find(|(own, _)| *own == name).map(|(_, meant)| *meant)
 }
 
 /// Colours by their English names.
@@ -70,7 +79,7 @@ pub(crate) fn colour(name: &str) -> Option<&'static str> {
 
 #[cfg(test)]
 mod tests {
-    use super::{STEPS, VALUES};
+    use super::{SIZES_OR_PLACES, STEPS, VALUES};
     use crate::ops;
 
     /// A row with a name of CGA would never be found, or would mislead.
@@ -84,6 +93,10 @@ mod tests {
         for (name, meant) in VALUES {
             assert!(ops::shape_attr(name).is_none(), "{name}");
             assert!(ops::shape_attr(meant).is_some() || meant.parse::<f64>().is_ok(), "{meant}");
+        }
+        for (name, meant) in SIZES_OR_PLACES {
+            assert!(ops::shape_attr(name).is_none(), "{name}");
+            assert!(meant.iter().all(|meant| ops::shape_attr(meant).is_some()), "{meant:?}");
         }
     }
 }

@@ -210,8 +210,13 @@ impl<'a> Resolver<'_, 'a, '_> {
         let inner = self.inner.iter().map(|inner| inner.text.as_str());
         let near = globals.meant(at, text, Namespace::Values, inner.chain(ops::all_shape_attrs().map(|row| row.name)));
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
-        let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`")));
-        let near = truth.or(near).filter(|_| help.is_none());
+        let is_text = help.is_some();
+        let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`"))).or_else(|| {
+            let [size, place] = habits::size_or_place(text)?;
+            Some(format!("write `{size}` for the size, or `{place}` for the position"))
+        });
+        // A text without quotes may also be a name with a mistake.
+        let near = truth.or(near).filter(|_| help.is_none() || is_text);
         let (inline, dotted) = (self.dialect() == Dialect::Inline, text.contains('.'));
         let diag = self.cx.diags.report(Code::UnknownName, name.span, format!("unknown name `{text}`"));
         if is_rule {
@@ -243,6 +248,21 @@ impl<'a> Resolver<'_, 'a, '_> {
                 false => diag.note(format!("there are {}", quoted(all))),
             };
         }
+    }
+
+    /// Reports an unknown name where text is needed: quotation marks are missing.
+    pub(crate) fn unquoted(&mut self, kind: ParamKind, arg: &'a Expr) -> bool {
+        let ExprKind::Name(name) = &arg.kind else { return false };
+        if self.lookup(&name.text).is_some() {
+            return false;
+        }
+        let help = match (kind, habits::colour(&name.text)) {
+            (ParamKind::Color, Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
+            (ParamKind::Color, None) => "write a colour, as in `\"#ff8000\"`".into(),
+            _ => format!("write `\"{}\"`, in quotes", name.text),
+        };
+        self.unknown_name(name, Some(help));
+        true
     }
 
     /// The numbers of arguments that functions with a name take.
@@ -290,6 +310,15 @@ impl<'a> Resolver<'_, 'a, '_> {
                 } else {
                     self.word_expr(text, &words, arg);
                 }
+                continue;
+            }
+            let text_param = fitting.iter().find(|row| row.params[index].kind.ty() == Some(Type::Text));
+            let all_text = fitting.iter().all(|row| row.params[index].kind.ty() == Some(Type::Text));
+            if candidates.is_empty()
+                && all_text
+                && let Some(row) = text_param
+                && self.unquoted(row.params[index].kind, arg)
+            {
                 continue;
             }
             self.expr(arg);

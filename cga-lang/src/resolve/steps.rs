@@ -12,7 +12,7 @@ use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
 use crate::dialect::Dialect;
-use crate::ops::{self, Braces, Operation, Param, ParamKind, Run, SelectorPlaces, Words};
+use crate::ops::{self, Braces, Operation, ParamKind, Run, SelectorPlaces, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
@@ -305,7 +305,8 @@ impl<'a> Resolver<'_, 'a, '_> {
                 }
                 ParamKind::Selector => self.selector(&arg.value, SelectorPlaces::FACES.and(SelectorPlaces::SETBACK)),
                 _ if kinds().all(|kind| kind.ty() == Some(Type::Text))
-                    && self.unquoted(&rows[0].params[index], arg) => {}
+                    && arg.prefix.is_none()
+                    && self.unquoted(rows[0].params[index].kind, &arg.value) => {}
                 _ if is_word_of(rows[0], arg)
                     && !self.is_declared(arg)
                     && (has_stray || word_of_other_form(self.cx, rows[0], args, index)) =>
@@ -315,21 +316,6 @@ impl<'a> Resolver<'_, 'a, '_> {
                 _ => self.expr(&arg.value),
             }
         }
-    }
-
-    /// Reports an unknown name where text is needed: quotation marks are missing.
-    fn unquoted(&mut self, param: &Param, arg: &'a Arg) -> bool {
-        let ExprKind::Name(name) = &arg.value.kind else { return false };
-        if arg.prefix.is_some() || self.lookup(&name.text).is_some() {
-            return false;
-        }
-        let help = match (param.kind, habits::colour(&name.text)) {
-            (ParamKind::Color, Some(colour)) => format!("write `\"{colour}\"`, in quotes"),
-            (ParamKind::Color, None) => "write a colour, as in `\"#ff8000\"`".into(),
-            _ => format!("write `\"{}\"`, in quotes", name.text),
-        };
-        self.unknown_name(name, Some(help));
-        true
     }
 
     /// Resolves the name and arguments of an operation with braces. Returns the selectors of its arms.

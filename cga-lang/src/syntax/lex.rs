@@ -61,6 +61,7 @@ impl<'a> Lexer<'a> {
                 // In joined files a byte order mark may be in the middle.
                 c if c.is_whitespace() || c == '\u{feff}' => self.at += c.len_utf8(),
                 '#' | '\'' if self.holds_colour() => self.colour(start),
+                '#' if self.holds_rust_value() => self.rust_value(start),
                 '#' => _ = self.line(),
                 '/' if self.rest().starts_with("///") && !self.rest().starts_with("////") => self.doc(start),
                 '/' if self.rest().starts_with("//") => _ = self.line(),
@@ -187,6 +188,34 @@ impl<'a> Lexer<'a> {
             Some(Tok::Sym(Sym::Assign | Sym::EqEq | Sym::NotEq)) => recovery::is_no_comment(&rest[length..], false),
             _ => false,
         }
+    }
+
+    /// Returns true if a Rust value of an inline rule begins here, `#height`, where a comment would hide the closing bracket.
+    fn holds_rust_value(&self) -> bool {
+        let Some(name) = self.rest().strip_prefix('#').filter(|rest| rest.starts_with(starts_name)) else {
+            return false;
+        };
+        let length = name.find(|c| !continues_name(c)).unwrap_or(name.len());
+        let in_brackets = matches!(self.tokens.as_slice().last(), Some(Tok::Sym(Sym::LParen | Sym::Comma)));
+        in_brackets
+            && name[length..].trim_start_matches([' ', '\t']).starts_with([')', ','])
+            && recovery::is_no_comment(&name[length..], true)
+    }
+
+    /// Reads the name of a Rust value as a name of the rules.
+    fn rust_value(&mut self, start: usize) {
+        self.at += 1;
+        let first = self.at;
+        self.skip_while(continues_name);
+        let name = self.text[first..self.at].to_owned();
+        let help = format!("write `{name}`, and declare it: `attr {name} = …`");
+        let span = self.push(start, Tok::Ident(name));
+        let diag = self.diags.report(
+            Code::Syntax,
+            span,
+            "`#` begins a comment in a file, and Rust values are for inline rules",
+        );
+        diag.help(help);
     }
 
     /// Reads a colour without its quotation marks.

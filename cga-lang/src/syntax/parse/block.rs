@@ -56,7 +56,10 @@ impl Parser<'_> {
             Braces::Operands => "{ operations | operations }",
         };
         let arguments =
-            ops::operations(name).find(|row| !row.params.is_empty()).map_or(String::new(), |row| {
+            ops::operations(name).min_by_key(|row| ops::required(row.params)).map_or(String::new(), |row| {
+                if ops::required(row.params) == 0 {
+                    return String::new();
+                }
                 match row.params[0].kind.words().map(|words| words.list[0]) {
                     Some(word) if ops::required(row.params) == 1 => format!("({word})"),
                     Some(word) => format!("({word}, …)"),

@@ -74,6 +74,7 @@ impl Parser<'_> {
         let start = self.at;
         let kind = match self.peek() {
             _ if self.at_border() => return self.fail(STEP),
+            _ if self.at_loop() => return self.no_loop(),
             Some(Tok::Ident(_)) => self.op_with_name()?,
             Some(Tok::Path(_)) => self.rust()?,
             Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
@@ -94,7 +95,13 @@ impl Parser<'_> {
         let end = self.layout.name_end(self.at);
         let Some(name) = self.take_dotted(end) else { return self.fail("a name") };
         match name.text.as_str() {
-            "NIL" => return Ok(OpKind::Nil),
+            "NIL" => {
+                if self.is(Sym::Dot) {
+                    self.syntax(self.at, "`NIL` is not a leaf and has no dot").help("leave out the dot");
+                    self.bump();
+                }
+                return Ok(OpKind::Nil);
+            }
             "else" | "case" => {
                 self.at -= 1;
                 return self.fail(STEP);

@@ -29,11 +29,23 @@ impl Parser<'_> {
     /// leaf `scope.` before a function `sy`, which is never meant.
     pub(super) fn assignment(&mut self, name: &Name) -> Parsed<bool> {
         let Some(word) = self.peek().and_then(Tok::ident) else { return Ok(false) };
-        let attribute = format!("{}.{word}", name.text);
-        if !self.nth_is(1, Sym::Assign) || shape_attr(&attribute).is_none() {
+        if !self.nth_is(1, Sym::Assign) {
             return Ok(false);
         }
-        let start = self.at - 2;
+        let mut start = self.at - 2;
+        let mut attribute = format!("{}.{word}", name.text);
+        // The parts of a longer name look like leaves before this one.
+        while shape_attr(&attribute).is_none()
+            && let Some(first) = start.checked_sub(2)
+            && self.layout.is(first + 1, Sym::Dot)
+            && let Some(part) = self.layout.at(first).and_then(Tok::ident)
+        {
+            attribute = format!("{part}.{attribute}");
+            start = first;
+        }
+        if shape_attr(&attribute).is_none() {
+            return Ok(false);
+        }
         self.at += 2;
         let (from, span) = (self.at, self.span_from(start));
         self.expr()?;
@@ -121,6 +133,25 @@ impl Parser<'_> {
         let (condition, _) = self.written_condition(self.at + 1);
         let diag = self.syntax(self.at, self.about_if());
         Err(diag.help(format!("after operations write `[ case {condition} : … else : … ]`")).into())
+    }
+
+    /// Returns true if a loop of another language begins here: `for i in`, `while scope.sx > 3 {`.
+    pub(super) fn at_loop(&self) -> bool {
+        let Some(word) = self.peek().and_then(Tok::ident) else { return false };
+        !self.layout.declares(word)
+            && match word {
+                "for" => self.nth_is_name(1) && self.nth(2).and_then(Tok::ident) == Some("in"),
+                "while" => self.begins_operand(1) && self.condition(self.at + 1).is_some_and(|(_, braces)| braces),
+                _ => false,
+            }
+    }
+
+    /// Reports a loop of another language.
+    pub(super) fn no_loop<T>(&mut self) -> Parsed<T> {
+        let word = self.peek().map_or(String::new(), Tok::describe);
+        let diag = self.syntax(self.at, format!("rules have no loops, and {word} is not an operation"));
+        let diag = diag.help("`split(x) { { ~size : … }* }` repeats a slot");
+        Err(diag.help("a rule that calls itself under a `case` repeats operations").into())
     }
 
     /// Returns true if a further condition follows the `else` here.

@@ -19,6 +19,11 @@ impl Parser<'_> {
                 None => _ = self.expected("the name of a style"),
             }
         }
+        if self.is(Sym::LBrace) {
+            self.syntax(self.at, "a style has no braces")
+                .help("leave out the braces: a style ends at the next `style`");
+            self.bump();
+        }
         // To extend `Default` has no effect.
         let base = base.filter(|base| base.text != DEFAULT);
         if name.text == DEFAULT {
