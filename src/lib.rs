@@ -28,7 +28,7 @@
 #[cfg(feature = "live")]
 pub use cga_eval::{Live, LiveError};
 #[cfg(feature = "eval")]
-pub use cga_eval::{RuleFile, RuleFileError, RuleLoader};
+pub use cga_eval::{FileList, RuleFile, RuleFileError, RuleLoader};
 #[cfg(not(rust_analyzer))]
 pub use cga_macros::cga;
 #[cfg(rust_analyzer)]

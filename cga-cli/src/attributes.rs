@@ -10,7 +10,7 @@ use crate::run::load;
 use crate::stream::{print, say};
 
 pub(crate) fn command(options: &AttributeOptions) -> Status {
-    match load(&options.rules) {
+    match load(&options.rules, &mut |_| Ok(false)) {
         Ok(rules) => {
             let text = if options.json { rules.attributes_json() + "\n" } else { table(&rules) };
             print(&text).map_or_else(

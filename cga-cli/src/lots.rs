@@ -8,6 +8,7 @@ use cga::{Assets, Grammar, Mesh, Shape};
 use crate::footprints;
 use crate::options::LotOptions;
 use crate::stream::say;
+use crate::watch::folder;
 
 /// The width and the depth of a lot that is not given, in metres.
 const USUAL: (f64, f64) = (20.0, 15.0);
@@ -53,8 +54,7 @@ fn unread(path: &Path, why: impl std::fmt::Display) -> String {
 
 /// The mesh of a file, with its materials.
 fn mesh(path: &Path) -> Result<Mesh, String> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = path.file_name().ok_or("it is not a file")?.to_string_lossy();
-    let mesh = Assets::below(folder).mesh(&name).map_err(|why| why.to_string())?;
+    let mesh = Assets::below(folder(path)).mesh(&name).map_err(|why| why.to_string())?;
     Ok(Mesh::clone(&mesh))
 }

@@ -64,7 +64,7 @@ pub(crate) struct RuleOptions {
     /// The rule file
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// Does not read rule files outside of this folder; the path of the rule file begins there
+    /// Does not read rule files outside of this folder: imports and links that lead out of it are errors
     #[arg(long, value_name = "FOLDER")]
     pub(crate) root: Option<PathBuf>,
     /// The name of the grammar in files [default: the name of the file without its ending]

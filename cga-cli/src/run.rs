@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use cga::{Assets, Error, Grammar as _, RuleFile, RuleLoader, Scene, Settings, Shape, Watch};
+use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLoader, Scene, Settings, Shape, Watch};
 
 use crate::Status;
 use crate::lots::lots;
@@ -31,17 +31,17 @@ impl Problem {
 
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {
-    run(options).unwrap_or_else(|problem| {
+    run(options, &mut |_| Ok(false)).unwrap_or_else(|problem| {
         say(problem.message);
         problem.status
     })
 }
 
-/// Loads rules.
+/// Loads rules, again while `follow` returns true for the files that they depend on.
 ///
 /// # Errors
 /// The file cannot be read, or its rules have errors.
-pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
+pub(crate) fn load(options: &RuleOptions, follow: Follow<'_>) -> Result<RuleFile, Problem> {
     let RuleOptions { file, root, name } = options;
     let mut loader = RuleLoader::new();
     if let Some(root) = root {
@@ -50,21 +50,36 @@ pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
     if let Some(name) = name {
         loader = loader.named(name);
     }
-    // A missing file is a problem of the arguments, not of the rules.
-    let status = if at(root.as_deref(), file).is_file() { Status::Failed } else { Status::Unusable };
-    loader.open(file).map_err(|error| Problem { status, message: error.to_string() })
+    let path = std::path::absolute(file).map_err(Problem::unusable)?;
+    // The folder of the rules is where paths in messages begin.
+    let path = if root.is_some() { &path } else { file };
+    let mut left = MOST_LOADS;
+    loop {
+        let loaded = loader.open(path);
+        left -= 1;
+        let files = loaded.as_ref().map_or_else(RuleFileError::files, RuleFile::files);
+        if follow(files).map_err(Problem::unusable)? && left != 0 {
+            continue;
+        }
+        return loaded.map_err(|error| {
+            // A file that cannot be read is a problem of the arguments, not of the rules.
+            let status = if error.files().read().is_empty() { Status::Unusable } else { Status::Failed };
+            Problem { status, message: error.to_string() }
+        });
+    }
 }
 
-/// The place of a rule file.
-pub(crate) fn at(root: Option<&Path>, file: &Path) -> std::path::PathBuf {
-    root.map_or_else(|| file.to_owned(), |root| root.join(file))
-}
+/// The most times that rules are loaded for one run.
+const MOST_LOADS: usize = 4;
+
+/// Takes the files that rules depend on. Returns true if they must be read again.
+pub(crate) type Follow<'f> = &'f mut dyn FnMut(&FileList) -> Result<bool, String>;
 
 /// Loads the rules, runs them, and writes the files.
-pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
+pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Problem> {
     // Nothing runs for files that cannot be written.
     options.output.iter().try_for_each(|path| FileKind::of(path).map(drop)).map_err(Problem::unusable)?;
-    let mut rules = load(&options.rules)?;
+    let mut rules = load(&options.rules, follow)?;
     rules.warnings().iter().for_each(|warning| say(format_args!("{warning}\n")));
     for (name, value) in &options.values {
         rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;

@@ -11,6 +11,7 @@ use cga_runtime::run::report::Report;
 use cga_runtime::run::settings::Settings;
 use cga_runtime::run::sink::Sink;
 use cga_runtime::run::start_rule::StartRule;
+use cga_source::FileList;
 
 use crate::call::Call;
 use crate::program::Program;
@@ -46,12 +47,18 @@ pub(crate) struct Loaded {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
+    pub(crate) files: FileList,
 }
 
 impl RuleFile {
     /// The warnings about the rules, as the compiler shows them.
     pub fn warnings(&self) -> &[String] {
         &self.loaded.warnings
+    }
+
+    /// The files on the disk that the rules depend on: programs that follow their rules watch them.
+    pub fn files(&self) -> &FileList {
+        &self.loaded.files
     }
 
     /// Opens a session: several runs with the same settings, which share what is made once.

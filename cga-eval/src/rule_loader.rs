@@ -9,14 +9,13 @@ use cga_lang::compile::{Compiled, compile};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::ir::plan::RunPlan;
-use cga_lang::link::Unit;
 use cga_lang::snippet::{Lines, render_in};
 use cga_runtime::rt::{Shape, Text, Value};
+use cga_source::RuleFiles;
 
 use crate::compile::{Registered, program};
 use crate::error::RuleFileError;
 use crate::rule_file::{Loaded, RuleFile};
-use crate::sources::Sources;
 use crate::tables::{attributes, tables};
 
 /// Loads rules with files in memory and functions of the program.
@@ -121,11 +120,13 @@ impl RuleLoader {
     /// The file cannot be read, or its rules have errors.
     pub fn open(&self, path: impl AsRef<Path>) -> Result<RuleFile, RuleFileError> {
         let path = path.as_ref();
-        let mut sources = Sources::new(self.memory.clone(), true, self.root.as_deref()).map_err(RuleFileError::one)?;
-        let unit =
-            sources.read(path).map_err(|why| RuleFileError::one(format!("cannot read `{}`: {why}", path.display())))?;
+        let mut files = match &self.root {
+            Some(root) => self.files(root)?,
+            None => RuleFiles::in_memory(self.memory.clone()).with_disk(),
+        };
+        let number = files.load(path).map_err(|why| RuleFileError::one(why).with_files(files.list()))?;
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        self.load(unit, sources, self.name.as_deref().unwrap_or(&stem))
+        self.load(number, files, self.name.as_deref().unwrap_or(&stem))
     }
 
     /// Loads rules from text. Only files in memory can be imported, unless the loader has a folder.
@@ -133,13 +134,20 @@ impl RuleLoader {
     /// # Errors
     /// The rules have errors.
     pub fn text(&self, text: &str) -> Result<RuleFile, RuleFileError> {
-        let (memory, root) = (self.memory.clone(), self.root.as_deref());
-        let mut sources = Sources::new(memory, root.is_some(), root).map_err(RuleFileError::one)?;
-        let unit = sources.add("rules.cga", text.to_owned());
-        self.load(unit, sources, self.name.as_deref().unwrap_or_default())
+        let mut files = match &self.root {
+            Some(root) => self.files(root)?,
+            None => RuleFiles::in_memory(self.memory.clone()),
+        };
+        let number = files.add_text(text.to_owned());
+        self.load(number, files, self.name.as_deref().unwrap_or_default())
     }
 
-    fn load(&self, unit: Unit, mut sources: Sources, name: &str) -> Result<RuleFile, RuleFileError> {
+    /// The files in a folder and in memory.
+    fn files(&self, root: &Path) -> Result<RuleFiles, RuleFileError> {
+        RuleFiles::in_memory(self.memory.clone()).below(root).map_err(RuleFileError::one)
+    }
+
+    fn load(&self, number: usize, mut files: RuleFiles, name: &str) -> Result<RuleFile, RuleFileError> {
         let level = |(name, level): &(String, Level)| match Code::from_name(name) {
             Some(code) => Ok((code, *level)),
             None => Err(RuleFileError::one(format!(
@@ -147,14 +155,12 @@ impl RuleLoader {
             ))),
         };
         let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
-        let compiled = compile(unit, &mut sources, &levels);
-        let shown = |diags: &[Diag]| shown(&compiled, &sources, diags);
-        let Some(grammar) = &compiled.grammar else {
-            return Err(RuleFileError { diagnostics: shown(&compiled.diags) });
-        };
+        let compiled = compile(files.unit(number), &mut files, &levels);
+        let shown = |diags: &[Diag]| shown(&compiled, &files, diags);
+        let error = |diags: &[Diag]| RuleFileError { diagnostics: shown(diags), files: files.list().clone() };
+        let Some(grammar) = &compiled.grammar else { return Err(error(&compiled.diags)) };
         let plan = RunPlan::new(grammar);
-        let program = program(grammar, &plan, &self.registered)
-            .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
+        let program = program(grammar, &plan, &self.registered).map_err(|problems| error(&problems))?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let attributes = attributes(grammar, &defaults);
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
@@ -166,6 +172,7 @@ impl RuleLoader {
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
                 warnings: shown(&warnings),
+                files: files.list().clone(),
             }),
         })
     }
@@ -195,8 +202,8 @@ impl RuleFile {
 }
 
 /// Diagnostics as text, as the compiler shows them.
-fn shown(compiled: &Compiled, sources: &Sources, diags: &[Diag]) -> Vec<String> {
+fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> {
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
-    let quote = |file: usize| sources.quote(&compiled.files.get(file)?.name, lines.get(file)?);
+    let quote = |file: usize| files.quote(&compiled.files.get(file)?.name, lines.get(file)?);
     diags.iter().filter(|diag| diag.level != Level::Allow).map(|diag| render_in(compiled, &quote, diag)).collect()
 }

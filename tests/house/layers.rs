@@ -39,6 +39,7 @@ const CRATES: &[Layers] = &[
             "snippet",
         ],
     },
+    Layers { package: "cga-source", layers: &["file_list", "read", "root", "rule_files"] },
     Layers {
         package: "cga-macros",
         layers: &["location", "problem", "header", "source", "report", "output", "codegen", "stub", "input", "editor"],
@@ -102,10 +103,10 @@ const CRATES: &[Layers] = &[
             "tables",
             "compile",
             "run",
-            "sources",
             "error",
             "rule_file",
             "rule_loader",
+            "watch",
             "live",
         ],
     },
@@ -181,7 +182,7 @@ fn modules(src: &Path) -> BTreeMap<Module, PathBuf> {
     }
     let mut found = BTreeMap::new();
     walk(src, &Module::new(), &mut found);
-    assert!(10 < found.len(), "the walk found the modules of {}", src.display());
+    assert!(3 < found.len(), "the walk found the modules of {}", src.display());
     found
 }
 
@@ -274,7 +275,7 @@ fn arrows(src: &Path) -> Vec<Arrow> {
             arrows.push(Arrow { from: own.clone(), to, place });
         }
     }
-    assert!(10 < arrows.len(), "the imports of {}", src.display());
+    assert!(2 < arrows.len(), "the imports of {}", src.display());
     arrows
 }
 

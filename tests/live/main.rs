@@ -178,3 +178,20 @@ fn rules_in_the_program_cannot_be_followed() {
     assert_eq!(error, LiveError::NoRuleFile { grammar: "Inline".to_owned() });
     assert!(error.to_string().contains("write `cga! { grammar Inline in \"rules.cga\"; }`"), "{error}");
 }
+
+#[cfg(unix)]
+#[test]
+fn a_file_behind_a_link_is_followed() {
+    let folder = Folder::new("link");
+    let wall = folder.0.join("live/rules/parts/wall.cga");
+    fs::remove_file(&wall).expect("a file");
+    fs::create_dir_all(folder.0.join("shared")).expect("a folder");
+    let shared = folder.0.join("shared/wall.cga");
+    fs::write(&shared, WALL).expect("a file");
+    std::os::unix::fs::symlink(&shared, &wall).expect("a link");
+    let mut live = Live::in_folder(Tower::default(), &folder.0).expect("a rule file");
+    live.set("lit", Value::Bool(true)).expect("an attribute");
+    fs::write(&shared, WALL.replace("Wall.", "Brick.")).expect("a file");
+    until(&mut live, Live::refresh);
+    assert_eq!(leaves(&live), (12, vec!["Brick".to_owned()]));
+}

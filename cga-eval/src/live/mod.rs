@@ -1,11 +1,9 @@
 //! Compiled grammars that follow their rule files while the program runs.
 
-mod watcher;
-
 use std::collections::BTreeSet;
 use std::fmt;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cga_runtime::fault::Error;
 use cga_runtime::grammar::attribute::Attribute;
@@ -20,7 +18,10 @@ use cga_runtime::run::start_rule::StartRule;
 use crate::error::RuleFileError;
 use crate::rule_file::RuleFile;
 use crate::rule_loader::RuleLoader;
-use watcher::Watcher;
+use crate::watch::FileWatcher;
+
+/// The most times that rules are loaded after one change. Files in folders that were not watched before may have changed meanwhile.
+const MOST_LOADS: usize = 4;
 
 /// A grammar whose rule file is loaded again when it changes.
 ///
@@ -47,7 +48,7 @@ pub struct Live {
     current: Box<dyn Grammar + Send + Sync>,
     source: RuleSource,
     loader: RuleLoader,
-    watcher: Watcher,
+    watcher: FileWatcher,
     error: Option<RuleFileError>,
     /// The names of attributes that the program has set after it began to follow the rules.
     set: BTreeSet<String>,
@@ -123,7 +124,9 @@ impl Live {
                 _ => loader.allow(code),
             };
         }
-        let watcher = Watcher::new(folder, source.path).map_err(LiveError::Watch)?;
+        let mut watcher = FileWatcher::new().map_err(LiveError::Watch)?;
+        let files: Vec<PathBuf> = source.files.iter().map(|file| folder.join(file)).collect();
+        watcher.follow_files(files.iter().map(PathBuf::as_path)).map_err(LiveError::Watch)?;
         Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None, set: BTreeSet::new() })
     }
 
@@ -152,7 +155,7 @@ impl Live {
     }
 
     fn load(&mut self) -> bool {
-        match self.loader.open(self.source.path) {
+        match self.read() {
             Ok(rules) => {
                 self.take(rules);
                 true
@@ -161,6 +164,24 @@ impl Live {
                 say(&error);
                 self.error = Some(error);
                 false
+            }
+        }
+    }
+
+    /// Loads the rules, and watches the files that they are in.
+    fn read(&mut self) -> Result<RuleFile, RuleFileError> {
+        let mut left = MOST_LOADS;
+        loop {
+            let loaded = self.loader.open(self.source.path);
+            let files = loaded.as_ref().map_or_else(RuleFileError::files, RuleFile::files);
+            left -= 1;
+            match self.watcher.follow(files) {
+                Ok(true) if left != 0 => {}
+                Ok(_) => return loaded,
+                Err(why) => {
+                    say(why);
+                    return loaded;
+                }
             }
         }
     }

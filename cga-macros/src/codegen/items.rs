@@ -278,6 +278,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
 #[cfg(feature = "live")]
 fn rule_source(source: &Source, header: &Header) -> TokenStream {
     let (Some(path), name) = (source.file(), header.label()) else { return TokenStream::new() };
+    let files = source.files();
     let levels = header.levels.iter().map(|(code, level)| {
         let (code, level) = (
             code.name(),
@@ -294,6 +295,7 @@ fn rule_source(source: &Source, header: &Header) -> TokenStream {
             ::core::option::Option::Some(cga_rt::RuleSource {
                 folder: ::core::env!("CARGO_MANIFEST_DIR"),
                 path: #path,
+                files: &[#(#files),*],
                 name: #name,
                 levels: &[#(#levels),*],
             })

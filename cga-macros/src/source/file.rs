@@ -95,7 +95,7 @@ mod tests {
         symlink("rules/lot.cga", package.join("inside.cga")).unwrap();
         let message = |path: &str| unreadable(path, &text(&package, path).expect_err(path));
         for path in ["file.cga", "folder/secret.cga", "folder", "folder/package/../secret.cga"] {
-            let why = "a link leads out of the package, and files outside are not read";
+            let why = "it is not a file in the package, and paths and links that lead out of it are not followed";
             assert_eq!(message(path), format!("`{path}` cannot be read: {why}"));
         }
         assert!(message("rules").contains("is a folder"));

@@ -66,6 +66,12 @@ impl Source {
         Some(self.unit().name).filter(|name| !name.is_empty())
     }
 
+    /// The paths of all rule files from there.
+    #[cfg(feature = "live")]
+    pub(crate) fn files(&self) -> Vec<String> {
+        self.file().into_iter().chain(self.imported.iter().map(|file| file.text.name.clone())).collect()
+    }
+
     /// Takes over what was imported.
     pub(crate) fn import(&mut self, compiled: &Compiled, imported: Vec<Imported>) {
         let number = |name: &str| imported.iter().position(|file| file.text.name == name);

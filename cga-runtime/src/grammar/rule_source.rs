@@ -8,6 +8,8 @@ pub struct RuleSource {
     pub folder: &'static str,
     /// The path of the rule file from there.
     pub path: &'static str,
+    /// The paths of all rule files from there: this one, and the files that were imported.
+    pub files: &'static [&'static str],
     /// The name of the grammar.
     pub name: &'static str,
     /// The levels of diagnostics in the header, by name: `allow`, `warn` or `deny`.

@@ -1,0 +1,15 @@
+//! Where rules come from: files on the disk and in memory.
+#![forbid(unsafe_code)]
+
+mod file_list;
+mod read;
+mod root;
+mod rule_files;
+
+pub use file_list::FileList;
+pub use read::read_text;
+pub use root::Root;
+pub use rule_files::RuleFiles;
+
+#[cfg(test)]
+mod tests;
