@@ -13,6 +13,7 @@ use cga_lang::snippet::{Lines, render_in};
 use cga_runtime::rt::{Shape, Text, Value};
 use cga_source::RuleFiles;
 
+use crate::code::HostOperation;
 use crate::compile::{Registered, program};
 use crate::error::RuleFileError;
 use crate::rule_file::{Loaded, RuleFile};
@@ -87,7 +88,7 @@ impl RuleLoader {
         path: impl Into<String>,
         operation: impl Fn(&mut Shape, &[Value]) + Send + Sync + 'static,
     ) -> Self {
-        self.registered.operations.insert(path.into(), Arc::new(operation));
+        self.registered.operations.insert(path.into(), HostOperation::Registered(Arc::new(operation)));
         self
     }
 
@@ -140,6 +141,25 @@ impl RuleLoader {
         };
         let number = files.add_text(text.to_owned());
         self.load(number, files, self.name.as_deref().unwrap_or_default())
+    }
+
+    /// Loads the rules of a grammar in a Rust file, below the folder of the rules.
+    #[cfg(feature = "live")]
+    pub(crate) fn open_rust(&self, path: &str, grammar: &str) -> Result<RuleFile, RuleFileError> {
+        let mut files = self.files(self.root.as_deref().unwrap_or(Path::new(".")))?;
+        let loaded = files.load_rust(Path::new(path), grammar);
+        let (number, rules) = loaded.map_err(|why| RuleFileError::one(why).with_files(files.list()))?;
+        let values = rules.hosts.iter().map(|host| format!("#{host}")).collect();
+        let levels = rules.levels.iter().map(|(code, level)| (code.name().to_owned(), *level)).collect();
+        let loader = RuleLoader { levels, registered: Registered { values, ..self.registered.clone() }, ..self.clone() };
+        loader.load(number, files, grammar)
+    }
+
+    /// Takes the Rust code that was compiled with the rules.
+    #[cfg(feature = "live")]
+    pub(crate) fn with_compiled(mut self, calls: &'static [cga_runtime::rt::RustCall]) -> Self {
+        (self.registered.compiled, self.registered.is_live) = (calls, true);
+        self
     }
 
     /// The files in a folder and in memory.
@@ -203,7 +223,9 @@ impl RuleFile {
 
 /// Diagnostics as text, as the compiler shows them.
 fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> {
+    let is_inline = |diag: &Diag| files.is_inline() && compiled.locate(diag.span.first).0 == 0;
+    let spelled = |diag: &Diag| diag.spelled(if is_inline(diag) { '^' } else { '\'' });
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
     let quote = |file: usize| files.quote(&compiled.files.get(file)?.name, lines.get(file)?);
-    diags.iter().filter(|diag| diag.level != Level::Allow).map(|diag| render_in(compiled, &quote, diag)).collect()
+    diags.iter().filter(|diag| diag.level != Level::Allow).map(|diag| render_in(compiled, &quote, &spelled(diag))).collect()
 }

@@ -1,10 +1,12 @@
-//! Where rules come from: files on the disk and in memory.
+//! Where rules come from: files on the disk and in memory, and Rust code.
 #![forbid(unsafe_code)]
 
 mod file_list;
 mod read;
 mod root;
 mod rule_files;
+#[cfg(feature = "rust")]
+pub mod rust;
 
 pub use file_list::FileList;
 pub use read::read_text;

@@ -20,8 +20,11 @@ const TEXT: &str = "rules.cga";
 /// A file that was read.
 #[derive(Debug)]
 struct LoadedFile {
-    /// The name in messages, with forward slashes.
+    /// The path from where files that it names are looked for, with forward slashes.
     name: String,
+    /// The name in messages; `None` for the same.
+    shown: Option<String>,
+    dialect: Dialect,
     text: String,
     lexed: Lexed,
 }
@@ -82,14 +85,40 @@ impl RuleFiles {
             self.memory.contains_key(name) || self.reads_disk && self.base.as_deref().is_some_and(|base| base.join(name).exists())
         };
         let name = if is_taken(TEXT) { format!("{TEXT} (text)") } else { TEXT.to_owned() };
-        self.add(name, text)
+        self.add_text_file(name, text)
     }
 
-    fn add(&mut self, name: String, text: String) -> usize {
+    fn add_text_file(&mut self, name: String, text: String) -> usize {
         let lexed = lex(&text);
-        self.known.insert(name.clone(), self.entries.len());
-        self.entries.push(LoadedFile { name, text, lexed });
+        self.add(LoadedFile { name, shown: None, dialect: Dialect::Text, text, lexed })
+    }
+
+    fn add(&mut self, file: LoadedFile) -> usize {
+        self.known.insert(file.name.clone(), self.entries.len());
+        self.entries.push(file);
         self.entries.len() - 1
+    }
+
+    /// Reads the rules of a grammar in a Rust file, and returns their number and the rest of what the file has. Files that the rules name
+    /// are looked for from the base, as the macro does.
+    ///
+    /// # Errors
+    /// A sentence about a file that cannot be read, or has no such rules.
+    #[cfg(feature = "rust")]
+    pub fn load_rust(&mut self, path: &Path, grammar: &str) -> Result<(usize, crate::rust::RustRules), String> {
+        let path = match &self.base {
+            Some(base) => base.join(path),
+            None => path.to_owned(),
+        };
+        let shown = self.written(&path);
+        let refused = |why: String| format!("cannot read the rules of `{grammar}` in `{shown}`: {why}");
+        let text = read_text(&path).map_err(|why| reason(&why));
+        self.list.add(&path, text.is_ok());
+        let text = text.map_err(refused)?;
+        let rules = crate::rust::find_rules(&text, grammar).map_err(refused)?;
+        let lexed = Lexed { tokens: rules.tokens.clone(), ranges: rules.ranges.clone(), diags: rules.found.clone() };
+        let file = LoadedFile { name: String::new(), shown: Some(shown), dialect: rules.dialect, text, lexed };
+        Ok((self.add(file), rules))
     }
 
     /// Reads a file from the disk, unless it was read, and returns its number.
@@ -111,14 +140,19 @@ impl RuleFiles {
         }
         let text = self.resolved(&path).and_then(|path| read_text(&path).map_err(|why| reason(&why)));
         self.list.add(&path, text.is_ok());
-        Ok(self.add(name, text?))
+        Ok(self.add_text_file(name, text?))
+    }
+
+    /// Returns true if the first file has inline rules: messages about it have the spelling of Rust code.
+    pub fn is_inline(&self) -> bool {
+        self.entries.first().is_some_and(|file| file.dialect == Dialect::Inline)
     }
 
     /// A file, by its number, as the compiler takes it.
     pub fn unit(&self, number: usize) -> Unit {
-        let LoadedFile { name, lexed, .. } = &self.entries[number];
+        let LoadedFile { name, lexed, dialect, .. } = &self.entries[number];
         let (tokens, found) = (lexed.tokens.clone(), lexed.diags.clone());
-        Unit { name: name.clone(), tokens, dialect: Dialect::Text, found }
+        Unit { name: name.clone(), tokens, dialect: *dialect, found }
     }
 
     /// The text of a file, by its number.
@@ -135,7 +169,7 @@ impl RuleFiles {
     pub fn quote<'t>(&'t self, name: &str, lines: &'t OnceCell<Lines<'t>>) -> Option<Quote<'t>> {
         let entry = &self.entries[*self.known.get(name)?];
         let lines = lines.get_or_init(|| Lines::new(&entry.text));
-        Some(Quote { name: &entry.name, lines, ranges: &entry.lexed.ranges })
+        Some(Quote { name: entry.shown.as_ref().unwrap_or(&entry.name), lines, ranges: &entry.lexed.ranges })
     }
 
     /// The number of a file that was read, or that is in memory.
@@ -144,7 +178,7 @@ impl RuleFiles {
             return Some(number);
         }
         let text = self.memory.remove(name)?;
-        Some(self.add(name.to_owned(), text))
+        Some(self.add_text_file(name.to_owned(), text))
     }
 
     /// The path with links resolved, if there is a folder that it must not lead out of.

@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 
 use cga::{Grammar, Live, LiveError, Shape, Value, ValueType, cga};
 
+mod inline;
+
 /// A folder with a copy of the rules that goes with its test.
 struct Folder(PathBuf);
 
@@ -46,11 +48,6 @@ const WALL: &str = include_str!("rules/parts/wall.cga");
 cga! {
     @Allow(unused_attribute)
     pub grammar Tower in "live/rules/tower.cga";
-}
-
-cga! {
-    grammar Inline;
-    Lot --> X.
 }
 
 fn lot() -> Shape {
@@ -173,10 +170,11 @@ fn the_package_is_the_folder_of_the_rules() {
 }
 
 #[test]
-fn rules_in_the_program_cannot_be_followed() {
-    let error = Live::new(Inline::default()).expect_err("no file");
-    assert_eq!(error, LiveError::NoRuleFile { grammar: "Inline".to_owned() });
-    assert!(error.to_string().contains("write `cga! { grammar Inline in \"rules.cga\"; }`"), "{error}");
+fn rules_without_a_name_cannot_be_followed() {
+    let height = 3.0;
+    let error = Live::new(cga! { Lot --> extrude(#height) X. }).expect_err("no name");
+    assert_eq!(error, LiveError::NoSource { grammar: String::new() });
+    assert!(error.to_string().contains("give the rules a name, as in `cga! { grammar Tower; … }`"), "{error}");
 }
 
 #[cfg(unix)]

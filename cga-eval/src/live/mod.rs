@@ -64,8 +64,8 @@ impl fmt::Debug for Live {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LiveError {
-    /// The rules are inline or in a string, or the feature `live` was off when they were compiled.
-    NoRuleFile {
+    /// The rules have no name or are outside of their package, or the feature `live` was off when they were compiled.
+    NoSource {
         /// The name of the grammar.
         grammar: String,
     },
@@ -76,10 +76,10 @@ pub enum LiveError {
 impl fmt::Display for LiveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            LiveError::NoRuleFile { grammar } => write!(
+            LiveError::NoSource { grammar } => write!(
                 f,
-                "the rules of `{grammar}` are not in a file that can be followed: write `cga! {{ grammar {grammar} in \"rules.cga\"; }}`, \
-                 and switch the feature `live` of the package `cga` on"
+                "the source of the rules of `{grammar}` is not known: give the rules a name, as in `cga! {{ grammar Tower; … }}`, in a file \
+                 of the package, and switch the feature `live` of the package `cga` on"
             ),
             LiveError::Watch(why) => write!(f, "the rule files cannot be watched: {why}"),
         }
@@ -116,7 +116,7 @@ impl Live {
         source: RuleSource,
         folder: &Path,
     ) -> Result<Self, LiveError> {
-        let mut loader = RuleLoader::new().named(source.name).root(folder);
+        let mut loader = RuleLoader::new().named(source.name).root(folder).with_compiled(source.calls);
         for &(code, level) in source.levels {
             loader = match level {
                 "deny" => loader.deny(code),
@@ -172,7 +172,8 @@ impl Live {
     fn read(&mut self) -> Result<RuleFile, RuleFileError> {
         let mut left = MOST_LOADS;
         loop {
-            let loaded = self.loader.open(self.source.path);
+            let RuleSource { path, name, is_rust, .. } = self.source;
+            let loaded = if is_rust { self.loader.open_rust(path, name) } else { self.loader.open(path) };
             let files = loaded.as_ref().map_or_else(RuleFileError::files, RuleFile::files);
             left -= 1;
             match self.watcher.follow(files) {
@@ -211,7 +212,7 @@ fn say(line: impl fmt::Display) {
 
 /// The rule file of a compiled grammar.
 fn source(grammar: &dyn Grammar) -> Result<RuleSource, LiveError> {
-    grammar.rule_source().ok_or_else(|| LiveError::NoRuleFile { grammar: grammar.name().to_owned() })
+    grammar.rule_source().ok_or_else(|| LiveError::NoSource { grammar: grammar.name().to_owned() })
 }
 
 impl Grammar for Live {

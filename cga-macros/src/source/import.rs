@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use cga_lang::compile::Dialect;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::syntax::lex::lex;
+use cga_source::rust::QuotedText;
 use proc_macro2::{Literal, TokenStream};
 
-use super::quoted::{QuotedText, resolved, text, tracking};
+use super::package::{resolved, text, tracking};
 
 /// Larger meshes are there, and no more is known of them.
 const LARGEST_MESH: u64 = 1 << 26;

@@ -1,4 +1,4 @@
-//! Texts of rules: files of the package, and what diagnostics quote.
+//! Files of the package.
 
 use std::io::Error;
 use std::path::{Path, PathBuf};
@@ -6,16 +6,6 @@ use std::path::{Path, PathBuf};
 use cga_source::{Root, read_text};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
-
-/// A text that diagnostics quote.
-pub(crate) struct QuotedText {
-    /// The path, as the user writes it.
-    pub(crate) name: String,
-    /// The text as written, with escapes, at its position in its file.
-    pub(crate) written: String,
-    /// For each token, its bytes in `written`.
-    pub(crate) ranges: Vec<std::ops::Range<usize>>,
-}
 
 /// The path of an existing file or folder of a package, with links resolved. A link must not lead out of the package:
 /// messages quote the files that are read, and other machines do not have the file.
@@ -26,6 +16,16 @@ pub(super) fn resolved(root: &Path, name: &str) -> Result<PathBuf, Error> {
 /// The text of a rule file of a package.
 pub(super) fn text(root: &Path, name: &str) -> Result<String, Error> {
     read_text(&resolved(root, name)?)
+}
+
+/// The path of the Rust file of a token, from the package's folder. Paths on disk are used: `file!` is relative to the workspace, and may be
+/// remapped.
+#[cfg(feature = "live")]
+pub(super) fn rust_file(token: proc_macro2::Span) -> Option<String> {
+    // The compiler runs in the folder from which its paths count.
+    let file = token.local_file()?.canonicalize().ok()?;
+    let package = Path::new(&std::env::var_os("CARGO_MANIFEST_DIR")?).canonicalize().ok()?;
+    Some(file.strip_prefix(package).ok()?.to_str()?.replace('\\', "/"))
 }
 
 /// Makes the build follow the file, in the error case as well; the user's own literal keeps machine paths out.
