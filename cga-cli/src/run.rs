@@ -9,7 +9,7 @@ use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLo
 use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
-use crate::outputs::{FileKind, Output, write_reports};
+use crate::outputs::{Output, check_outputs, write_reports};
 use crate::stream::{print, say};
 
 /// The reason why a command ends.
@@ -77,8 +77,14 @@ pub(crate) type Follow<'f> = &'f mut dyn FnMut(&FileList) -> Result<bool, String
 
 /// Loads the rules, runs them, and writes the files.
 pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Problem> {
-    // Nothing runs for files that cannot be written.
-    options.output.iter().try_for_each(|path| FileKind::of(path).map(drop)).map_err(Problem::unusable)?;
+    // Nothing runs for files that cannot be written, or for assets that do not exist.
+    check_outputs(options).map_err(Problem::unusable)?;
+    if let Some(folder) = options.assets.as_ref().filter(|folder| !folder.is_dir()) {
+        return Err(Problem::unusable(format!(
+            "cannot read assets from `{}`: there is no such folder",
+            folder.display()
+        )));
+    }
     let mut rules = load(&options.rules, follow)?;
     rules.warnings().iter().for_each(|warning| say(format_args!("{warning}\n")));
     for (name, value) in &options.values {
@@ -92,7 +98,7 @@ pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Pr
         ..Settings::default()
     };
     let begun = Instant::now();
-    let output = derive(&rules, &lots, &settings).map_err(Problem::failed)?;
+    let output = derive(&rules, &lots.shapes, &settings).map_err(Problem::failed)?;
     let took = begun.elapsed();
     tell(options, &output).map_err(Problem::unusable)?;
     if output.report().stopped {
@@ -105,8 +111,8 @@ pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Pr
     if let Some(path) = &options.reports {
         write_reports(output.report(), path).map_err(Problem::unusable)?;
     }
-    summary(options, &output, lots.len(), took);
-    let fails = options.deny_faults && !output.report().faults().is_empty();
+    summary(options, &output, lots.shapes.len(), took);
+    let fails = !lots.are_whole || options.deny_faults && !output.report().faults().is_empty();
     Ok(if fails { Status::Failed } else { Status::Success })
 }
 

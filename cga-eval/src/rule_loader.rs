@@ -151,7 +151,8 @@ impl RuleLoader {
         let (number, rules) = loaded.map_err(|why| RuleFileError::one(why).with_files(files.list()))?;
         let values = rules.hosts.iter().map(|host| format!("#{host}")).collect();
         let levels = rules.levels.iter().map(|(code, level)| (code.name().to_owned(), *level)).collect();
-        let loader = RuleLoader { levels, registered: Registered { values, ..self.registered.clone() }, ..self.clone() };
+        let loader =
+            RuleLoader { levels, registered: Registered { values, ..self.registered.clone() }, ..self.clone() };
         loader.load(number, files, grammar)
     }
 
@@ -227,5 +228,9 @@ fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> 
     let spelled = |diag: &Diag| diag.spelled(if is_inline(diag) { '^' } else { '\'' });
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
     let quote = |file: usize| files.quote(&compiled.files.get(file)?.name, lines.get(file)?);
-    diags.iter().filter(|diag| diag.level != Level::Allow).map(|diag| render_in(compiled, &quote, &spelled(diag))).collect()
+    diags
+        .iter()
+        .filter(|diag| diag.level != Level::Allow)
+        .map(|diag| render_in(compiled, &quote, &spelled(diag)))
+        .collect()
 }

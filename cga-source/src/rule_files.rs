@@ -82,7 +82,8 @@ impl RuleFiles {
     pub fn add_text(&mut self, text: String) -> usize {
         // Another file may have the name, and rules must not import themselves in its place.
         let is_taken = |name: &str| {
-            self.memory.contains_key(name) || self.reads_disk && self.base.as_deref().is_some_and(|base| base.join(name).exists())
+            self.memory.contains_key(name)
+                || self.reads_disk && self.base.as_deref().is_some_and(|base| base.join(name).exists())
         };
         let name = if is_taken(TEXT) { format!("{TEXT} (text)") } else { TEXT.to_owned() };
         self.add_text_file(name, text)

@@ -21,8 +21,8 @@ use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, 
 use cga::texture::{SetMap, UvMap};
 use cga::{
     Array, AssetError, Assets, Attribute, AttributeError, AttributeKind, Axis, Batch, Batches, Building, Channel,
-    ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow, Frame,
-    Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
+    ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
+    Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
     RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef,
     ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,

@@ -20,7 +20,9 @@ impl Problems {
         let help = format!("register it with `with_{kind}(\"{path}\", …)` before the rules are loaded");
         let diag = diags.report(Code::UnknownFunction, span, message).help(help);
         if is_compiled {
-            diag.help("or build the program again: it calls the functions of its rules with the types that they had then");
+            diag.help(
+                "or build the program again: it calls the functions of its rules with the types that they had then",
+            );
         }
         self.0.borrow_mut().extend(diags.finish());
     }

@@ -1,4 +1,4 @@
-//! Compiled grammars that follow their rule files while the program runs.
+//! Compiled grammars that follow their rules while the program runs.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -23,11 +23,11 @@ use crate::watch::FileWatcher;
 /// The most times that rules are loaded after one change. Files in folders that were not watched before may have changed meanwhile.
 const MOST_LOADS: usize = 4;
 
-/// A grammar whose rule file is loaded again when it changes.
+/// A grammar whose rules are loaded again when their file changes: a rule file, or the Rust file with the macro.
 ///
 /// Until the first change the compiled rules run, and then the loaded ones, with the same bytes. Attributes keep the values that were set,
-/// by name. With a mistake in the rules the last good ones stay. Rust functions in rules must be [registered](Live::with_loader); new
-/// attributes have no field in the struct that `cga!` makes, so programs set them by name.
+/// by name. With a mistake in the rules the last good ones stay. Rust values and functions in rules are the compiled ones; others need a
+/// build, or are [registered](Live::with_loader). New attributes have no field in the struct that `cga!` makes, so programs set them by name.
 ///
 /// ```no_run
 /// # fn run<Tower: cga_runtime::grammar::Grammar + Clone + Default + Send + Sync + 'static>() -> Result<(), Box<dyn std::error::Error>> {
@@ -35,7 +35,7 @@ const MOST_LOADS: usize = 4;
 /// use cga_runtime::grammar::Grammar;
 /// use cga_runtime::shape::Shape;
 ///
-/// // `cga! { pub grammar Tower in "rules/tower.cga"; }`
+/// // `cga! { pub grammar Tower; Lot --> … }`
 /// let mut tower = Live::new(Tower::default())?;
 /// loop {
 ///     tower.generate(&Shape::rectangle(20.0, 15.0))?;
@@ -89,16 +89,16 @@ impl fmt::Display for LiveError {
 impl std::error::Error for LiveError {}
 
 impl Live {
-    /// Follows the rule file of a compiled grammar, `cga! { grammar Tower in "rules/tower.cga"; }`, in the folder of its package.
+    /// Follows the rules of a compiled grammar, in the folder of its package.
     ///
     /// # Errors
-    /// The grammar has no rule file, or the system cannot watch it.
+    /// The file with the rules is not known, or the system cannot watch it.
     pub fn new(grammar: impl Grammar + Send + Sync + 'static) -> Result<Self, LiveError> {
         let source = source(&grammar)?;
         Live::from_source(grammar, source, Path::new(source.folder))
     }
 
-    /// Follows a copy of the rule file in another folder, for programs that have their rules beside them. The path of the file from `folder` is
+    /// Follows a copy of the rules in another folder, for programs that have their rules beside them. The path of the file from `folder` is
     /// its path from the folder of the package. The compiled rules run until a file changes there.
     ///
     /// # Errors
@@ -210,7 +210,7 @@ fn say(line: impl fmt::Display) {
     let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
-/// The rule file of a compiled grammar.
+/// The rules of a compiled grammar.
 fn source(grammar: &dyn Grammar) -> Result<RuleSource, LiveError> {
     grammar.rule_source().ok_or_else(|| LiveError::NoSource { grammar: grammar.name().to_owned() })
 }

@@ -6,8 +6,8 @@ use cga_runtime::rt::{self, Bases, Cx, Env, Shape, ShapeRef, host, set, slim};
 use cga_runtime::shape::scope::Scope;
 
 use super::values::Values;
-use crate::code::HostOperation;
 use crate::call::Call;
+use crate::code::HostOperation;
 use crate::current::Current;
 use crate::stack::Frame;
 use crate::steps::{MaterialStep, OperandsStep, SlimStep, TargetCode, WholeStep};
@@ -127,7 +127,9 @@ impl Values {
                 let mut values: Vec<rt::Value> = types.iter().rev().map(|ty| stack.value(*ty)).collect();
                 values.reverse();
                 match &operation.0 {
-                    HostOperation::Registered(operation) => host::operate(env, shape, |shape| operation(shape, &values)),
+                    HostOperation::Registered(operation) => {
+                        host::operate(env, shape, |shape| operation(shape, &values))
+                    }
                     HostOperation::Compiled(operation) => operation(env, shape, &values),
                 }
             }

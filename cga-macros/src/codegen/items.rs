@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 
-#[cfg(feature = "live")]
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
 use cga_source::rust::Header;

@@ -95,7 +95,8 @@ impl Generator<'_> {
                     let path = self.source.path(step.span.first, path);
                     let here = self.at_path(step.span);
                     let (lets, passed) = arguments(args);
-                    let call = quote_spanned!(here=> cga_rt::host::operate(env, shape, |shape| #path(shape, #(#passed),*)));
+                    let call =
+                        quote_spanned!(here=> cga_rt::host::operate(env, shape, |shape| #path(shape, #(#passed),*)));
                     code!(Operation(|env, shape, args| { #lets #call; }))
                 });
             });

@@ -24,7 +24,6 @@ use proc_macro2::{Span, TokenStream};
 
 use crate::source::Source;
 
-
 /// The number of mistakes that must have a good diagnostic.
 const LEAST: usize = 40;
 

@@ -14,7 +14,6 @@ use cga_lang::syntax::token::Tokens;
 use cga_source::rust::read_inline;
 use proc_macro2::TokenStream;
 
-
 /// Every rule file of the language's tests and of the facade's.
 fn corpus() -> Vec<PathBuf> {
     let root = root();

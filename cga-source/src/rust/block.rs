@@ -84,10 +84,14 @@ fn find(text: &str, grammar: &str) -> Result<RustRules, String> {
         (header.name.is_some() && header.label() == grammar).then_some((header, body))
     });
     let Some((header, body)) = found.next() else {
-        return Err(format!("it has no `cga! {{ grammar {grammar}; … }}`; after a move of the rules, build the program again"));
+        return Err(format!(
+            "it has no `cga! {{ grammar {grammar}; … }}`; after a move of the rules, build the program again"
+        ));
     };
     if found.next().is_some() {
-        return Err(format!("it has several grammars of the name `{grammar}`; give each its own name, and build the program again"));
+        return Err(format!(
+            "it has several grammars of the name `{grammar}`; give each its own name, and build the program again"
+        ));
     }
     rules(text, mark, &header, body)
 }
@@ -130,7 +134,8 @@ fn rules(text: &str, mark: usize, header: &Header, body: Result<RulesText, Probl
                 return Err(format!("the rules have more than {MOST_NESTED} brackets in one another"));
             }
             let InlineTokens { tokens, found, spans, hosts, .. } = read_inline(stream);
-            let ranges = spans.iter().map(|(first, last)| place(*first).start..place(*last).end.max(place(*first).start));
+            let ranges =
+                spans.iter().map(|(first, last)| place(*first).start..place(*last).end.max(place(*first).start));
             let hosts = hosts.iter().map(|Host { expr, .. }| shown(expr)).collect();
             Ok(RustRules { tokens, ranges: ranges.collect(), found, dialect: Dialect::Inline, hosts, levels })
         }
