@@ -151,7 +151,7 @@ mod tests {
         symlink(&root, package.join("folder")).unwrap();
         symlink("wall.cga", package.join("inside.cga")).unwrap();
         let mut files = Imports { root: package, opened: Vec::new(), listed: HashMap::new() };
-        let why = "a link leads out of the package, and files outside are not read";
+        let why = "it is not a file in the package, and paths and links that lead out of it are not followed";
         for path in ["file.cga", "folder/secret.cga"] {
             assert_eq!(files.open(path, "lot.cga").unwrap_err(), why);
         }

@@ -184,3 +184,75 @@ fn in_file(file: &str, written: &str, ranges: &[Range<usize>]) -> Vec<Range<usiz
     };
     ranges.iter().map(|range| moved(range.start)..moved(range.end)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use cga_lang::syntax::lex::lex;
+
+    use super::*;
+
+    const FILE: &str = "//! Bäume\nuse cga::cga;\r\nmod inner {\n    cga::cga! {\n        /// Ein Haus.\n        @Deny(undefined_rule)\n        \
+                        pub(crate) grammar House;\n        Lot --> s(^0.5, #(a + b), #c) \"ä\".\n    }\n}\n\
+                        cga! { grammar Text = concat!(\"Lot --> \", r#\"s('0.5)\nX.\"#); }\n";
+
+    /// The spelling of each token in the file.
+    fn spellings<'t>(text: &'t str, rules: &RustRules) -> Vec<&'t str> {
+        rules.ranges.iter().map(|range| &text[range.clone()]).collect()
+    }
+
+    #[test]
+    fn inline_rules_are_found_with_the_places_of_their_tokens() {
+        for text in [FILE.to_owned(), format!("\u{feff}{FILE}")] {
+            let rules = find_rules(&text, "House").expect("rules");
+            assert_eq!(
+                (rules.dialect, rules.hosts.clone()),
+                (Dialect::Inline, vec!["(a + b)".to_owned(), "c".to_owned()])
+            );
+            assert_eq!(rules.levels, [(Code::UndefinedRule, Level::Error)]);
+            let spelled = ["Lot", "-->", "s", "(", "^", "0.5", ",", "#(a + b)", ",", "#c", ")", "\"ä\"", "."];
+            assert_eq!(spellings(&text, &rules), spelled);
+        }
+    }
+
+    #[test]
+    fn rules_in_strings_are_found_with_the_places_of_their_tokens() {
+        for text in [FILE.to_owned(), format!("\u{feff}{FILE}"), FILE.replace('\n', "\r\n").replace("\r\r", "\r")] {
+            let rules = find_rules(&text, "Text").expect("rules");
+            assert_eq!(rules.tokens, lex("Lot --> s('0.5) X.").tokens);
+            assert_eq!(spellings(&text, &rules), ["Lot", "-->", "s", "(", "'", "0.5", ")", "X", "."]);
+        }
+    }
+
+    #[test]
+    fn other_files_have_a_reason() {
+        let deep = format!("cga! {{ grammar House; Lot --> {}1{} }}", "(".repeat(300), ")".repeat(300));
+        let deepest = "(".repeat(200_000) + &")".repeat(200_000);
+        for (text, why) in [
+            ("", "it has no `cga! { grammar House; … }`"),
+            (&deepest, "it has no `cga! { grammar House; … }`"),
+            (
+                "cga! { grammar House; A --> B. } cga! { grammar House; A --> B. }",
+                "it has several grammars of the name `House`",
+            ),
+            ("fn main() {\n  cga! { grammar House; ", "the Rust code cannot be read at line 2, column "),
+            ("cga! { grammar House in \"a.cga\"; }", "the rules are in a file now"),
+            ("cga! {\n grammar House = 3; }", "line 2, column 18: the rules must be a string literal"),
+            (&deep, "the rules have more than 256 brackets in one another"),
+        ] {
+            let found = find_rules(text, "House").map(drop).expect_err("a reason");
+            assert!(found.contains(why), "{found}");
+        }
+    }
+
+    /// Files are read while they are being written, so every part of one is read somehow.
+    #[test]
+    fn the_parts_of_a_file_are_read_without_a_panic() {
+        for (at, _) in FILE.char_indices() {
+            for part in [&FILE[..at], &FILE[at..]] {
+                for name in ["House", "Text"] {
+                    assert_ne!(find_rules(part, name).err().as_deref(), Some("it cannot be read"), "{part}");
+                }
+            }
+        }
+    }
+}
