@@ -130,6 +130,37 @@ impl RuleLoader {
         self.load(number, files, self.name.as_deref().unwrap_or(&stem))
     }
 
+    /// Loads a rule file that [`with_file`](RuleLoader::with_file) has added, and the files that it imports. Programs that read files
+    /// themselves, as game engines and web pages do, add them first; [`imports`](RuleLoader::imports) names them.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let text = "import walls : \"wall.cga\"  Lot --> walls.Wall";
+    /// assert_eq!(RuleLoader::imports("rules/lot.cga", text)[0][..2], ["rules/wall.cga", "rules/assets/wall.cga"]);
+    /// let loader = RuleLoader::new().with_file("rules/lot.cga", text).with_file("rules/wall.cga", "Wall --> X.");
+    /// assert!(loader.memory_file("rules/lot.cga").is_ok());
+    /// ```
+    ///
+    /// # Errors
+    /// There is no such file, or the rules have errors.
+    pub fn memory_file(&self, name: &str) -> Result<RuleFile, RuleFileError> {
+        let mut files = RuleFiles::in_memory(self.memory.clone());
+        let number = files.memory_file(name).map_err(RuleFileError::one)?;
+        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        self.load(number, files, self.name.as_deref().unwrap_or(&stem))
+    }
+
+    /// The imports of a rule text with a name, in order. Each has the names that its file may have, the likeliest first.
+    pub fn imports(name: &str, text: &str) -> Vec<Vec<String>> {
+        cga_source::imports(name, text)
+    }
+
+    /// The text of a rule file, from its bytes: in UTF-8, UTF-16 or, for single bytes, Latin-1.
+    pub fn decode(bytes: &[u8]) -> String {
+        cga_lang::syntax::lex::decode(bytes).into_owned()
+    }
+
     /// Loads rules from text. Only files in memory can be imported, unless the loader has a folder.
     ///
     /// # Errors

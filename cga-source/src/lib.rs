@@ -2,6 +2,7 @@
 #![forbid(unsafe_code)]
 
 mod file_list;
+mod imports;
 mod read;
 mod root;
 mod rule_files;
@@ -9,6 +10,7 @@ mod rule_files;
 pub mod rust;
 
 pub use file_list::FileList;
+pub use imports::{import_paths, imports};
 pub use read::read_text;
 pub use root::Root;
 pub use rule_files::RuleFiles;

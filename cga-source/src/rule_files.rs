@@ -17,6 +17,9 @@ use crate::root::Root;
 /// The name in messages of rules that come as text.
 const TEXT: &str = "rules.cga";
 
+/// The reason why a file that is not in memory cannot be read.
+const NOT_IN_MEMORY: &str = "there is no file of that name; add it with `with_file`";
+
 /// A file that was read.
 #[derive(Debug)]
 struct LoadedFile {
@@ -76,6 +79,14 @@ impl RuleFiles {
         let files = self.inside(folder)?;
         let base = files.root.as_ref().map(|root| root.folder().to_owned());
         Ok(RuleFiles { base, ..files })
+    }
+
+    /// The number of a file in memory.
+    ///
+    /// # Errors
+    /// A sentence: there is no such file.
+    pub fn memory_file(&mut self, name: &str) -> Result<usize, String> {
+        self.remembered(&normal(name)).ok_or_else(|| unreadable(Path::new(name), NOT_IN_MEMORY))
     }
 
     /// Adds rules that are not in a file, and returns their number.
@@ -213,7 +224,7 @@ impl Files for RuleFiles {
     fn open(&mut self, path: &str, from: &str) -> Result<Unit, String> {
         if !self.reads_disk {
             let found = candidates(path, from).into_iter().find_map(|name| self.remembered(&name));
-            let found = found.ok_or("there is no file of that name; add it with `with_file`")?;
+            let found = found.ok_or(NOT_IN_MEMORY)?;
             return Ok(self.unit(found));
         }
         let from = self.absolute(from).ok_or("the current folder cannot be read")?;

@@ -39,7 +39,7 @@ const CRATES: &[Layers] = &[
             "snippet",
         ],
     },
-    Layers { package: "cga-source", layers: &["file_list", "read", "root", "rust", "rule_files"] },
+    Layers { package: "cga-source", layers: &["file_list", "imports", "read", "root", "rust", "rule_files"] },
     Layers {
         package: "cga-macros",
         layers: &["location", "source", "report", "output", "codegen", "stub", "input", "editor"],

@@ -1,9 +1,7 @@
 //! The rule files of a check, and the files that they import.
 
-use cga_lang::diag::Diags;
 use cga_lang::link::Files as _;
-use cga_lang::syntax::parse::parse;
-use cga_source::RuleFiles;
+use cga_source::{RuleFiles, import_paths};
 use std::collections::HashSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -52,14 +50,8 @@ pub(crate) fn imported(files: &mut RuleFiles, numbers: &[usize]) -> HashSet<Stri
     let mut imported = HashSet::new();
     for &number in numbers {
         let unit = files.unit(number);
-        if !unit.tokens.as_slice().iter().any(|token| token.ident() == Some("import")) {
-            continue;
-        }
-        let mut diags = Diags::new();
-        let imports = parse(&unit.tokens, &mut diags).imports;
-        // The compiler reports the same.
-        diags.finish();
-        let opened = imports.iter().filter_map(|import| files.open(&import.path, &unit.name).ok());
+        let paths = import_paths(&unit.tokens);
+        let opened = paths.iter().filter_map(|path| files.open(path, &unit.name).ok());
         imported.extend(opened.map(|unit| unit.name));
     }
     imported

@@ -190,15 +190,9 @@ impl Live {
     /// Runs other rules. Attributes keep the values that were set; values that the new rules refuse are dropped, with a line on standard
     /// error.
     fn take(&mut self, mut rules: RuleFile) {
-        for (index, attribute) in self.current.attributes().iter().enumerate() {
-            let value = self.current.attribute_get(index);
-            if value == attribute.default && !self.set.contains(attribute.name.as_str()) {
-                continue;
-            }
-            if let Some(Err(error)) = value.map(|value| rules.set(&attribute.name, value)) {
-                say(format_args!("the value of `{}` is dropped: {error}", attribute.name));
-                self.set.remove(attribute.name.as_str());
-            }
+        for (name, error) in rules.take_some_values(&*self.current, &|name| self.set.contains(name)) {
+            say(format_args!("the value of `{name}` is dropped: {error}"));
+            self.set.remove(name.as_str());
         }
         self.current = Box::new(rules);
         self.error = None;
