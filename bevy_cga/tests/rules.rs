@@ -13,7 +13,8 @@ use bevy_mesh::MeshPlugin;
 use bevy_transform::TransformPlugin;
 use cga::{Shape, Value};
 
-const TOWER: &str = "import walls : \"parts/wall.cga\"  attr height = 6  Lot --> extrude(height) split(y) { ~3 : walls.Wall }*";
+const TOWER: &str =
+    "import walls : \"parts/wall.cga\"  attr height = 6  Lot --> extrude(height) split(y) { ~3 : walls.Wall }*";
 
 /// A folder of assets that goes with its test.
 struct Folder(PathBuf);

@@ -12,11 +12,14 @@ use crate::stack::Stack;
 /// A function of the host program.
 pub(crate) type HostFunction = Arc<dyn Fn(&[Value]) -> Value + Send + Sync>;
 
+/// An operation that the host program has registered.
+pub(crate) type RegisteredOperation = dyn Fn(&mut Shape, &[Value]) + Send + Sync;
+
 /// An operation of the host program.
 #[derive(Clone)]
 pub(crate) enum HostOperation {
     /// Registered by the program.
-    Registered(Arc<dyn Fn(&mut Shape, &[Value]) + Send + Sync>),
+    Registered(Arc<RegisteredOperation>),
     /// Compiled with the rules.
     Compiled(fn(&mut Env, &mut Shape, &[Value])),
 }

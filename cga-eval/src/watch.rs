@@ -215,8 +215,8 @@ mod tests {
 
     #[test]
     fn changes_of_files_and_of_folders_around_them_count() {
-        let mut state = State::default();
-        state.files = ["/town/rules/a.cga", "/town/b.cga"].map(PathBuf::from).into();
+        let files = ["/town/rules/a.cga", "/town/b.cga"].map(PathBuf::from).into();
+        let mut state = State { files, ..State::default() };
         let is_glb = |path: &Path| path.extension().is_some_and(|ending| ending == "glb");
         state.folders.push(("/town/assets".into(), Box::new(is_glb)));
         let (create, remove) = (EventKind::Create(CreateKind::Any), EventKind::Remove(RemoveKind::Any));
