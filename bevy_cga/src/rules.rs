@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 
 use bevy_asset::io::Reader;
-use bevy_asset::{Asset, AssetEvent, AssetId, AssetLoader, Assets, Handle, LoadContext};
+use bevy_asset::{Asset, AssetEvent, AssetId, AssetLoader, AssetPath, Assets, Handle, LoadContext};
 use bevy_ecs::change_detection::DetectChanges;
 use bevy_ecs::component::Component;
 use bevy_ecs::entity::Entity;
@@ -50,6 +50,7 @@ impl AssetLoader for CgaRuleLoader {
         let mut bytes = Vec::new();
         let read = reader.read_to_end(&mut bytes).await;
         let name = context.path().path().to_string_lossy().replace('\\', "/");
+        let source = context.path().source().clone_owned();
         let text = read.map(|_| RuleLoader::decode(&bytes)).unwrap_or_default();
         let mut loader = self.loader.clone().with_file(&name, &text);
         let mut known = HashSet::from([name.clone()]);
@@ -64,7 +65,7 @@ impl AssetLoader for CgaRuleLoader {
                     if known.len() == MOST_FILES {
                         continue;
                     }
-                    let path = context.path().clone_with_path(&name);
+                    let path = AssetPath::from_path_buf(name.clone().into()).with_source(source.clone());
                     if let Ok(bytes) = context.read_asset_bytes(path).await {
                         let text = RuleLoader::decode(&bytes);
                         loader = loader.with_file(&name, &text);
