@@ -14,6 +14,10 @@ fn lower(height: f64, name: &str) -> f64 {
     height - name.len() as f64
 }
 
+fn nothing() -> f64 {
+    0.0
+}
+
 fn paint(shape: &mut Shape, red: f64) {
     shape.set_color(Color::new(red, 0.0, 0.0));
 }
@@ -24,7 +28,7 @@ cga! {
     pub grammar Inline;
     attr height = 12
     attr lit = false
-    Lot --> extrude(crate::inline::lower(height, "abc")) split(y) { ~#STOREY : Floor }*
+    Lot --> extrude(crate::inline::lower(height, "abc") + crate::inline::nothing()) split(y) { ~#STOREY : Floor }*
     Floor --> crate::inline::paint(0.5) print("storey " + #(STOREY * 2.0)) split(x) { ^0.5 : X. | ~1 : Y. }
 }
 

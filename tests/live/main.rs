@@ -170,6 +170,12 @@ fn the_package_is_the_folder_of_the_rules() {
 }
 
 #[test]
+fn a_program_without_its_folder_says_so() {
+    let error = Live::in_folder(Tower::default(), "no/such/folder").expect_err("no folder");
+    assert_eq!(error.to_string(), "the rule files cannot be watched: there is no folder `no/such/folder`");
+}
+
+#[test]
 fn rules_without_a_name_cannot_be_followed() {
     let height = 3.0;
     let error = Live::new(cga! { Lot --> extrude(#height) X. }).expect_err("no name");

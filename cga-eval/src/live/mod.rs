@@ -116,6 +116,9 @@ impl Live {
         source: RuleSource,
         folder: &Path,
     ) -> Result<Self, LiveError> {
+        if !folder.is_dir() {
+            return Err(LiveError::Watch(format!("there is no folder `{}`", folder.display())));
+        }
         let mut loader = RuleLoader::new().named(source.name).root(folder).with_compiled(source.calls);
         for &(code, level) in source.levels {
             loader = match level {

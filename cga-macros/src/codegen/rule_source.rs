@@ -29,7 +29,7 @@ impl Generator<'_> {
         let (imported, calls) = (self.source.imported(), self.rust_calls());
         code! {
             fn rule_source(&self) -> ::core::option::Option<cga_rt::RuleSource> {
-                #[allow(deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
+                #[allow(unused, deprecated, clippy::all, clippy::pedantic, clippy::nursery)]
                 const CALLS: &[cga_rt::RustCall] = &[#calls];
                 ::core::option::Option::Some(cga_rt::RuleSource {
                     folder: ::core::env!("CARGO_MANIFEST_DIR"),
