@@ -41,10 +41,10 @@
 #![forbid(unsafe_code)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(feature = "eval")]
+pub use cga_eval::{FileList, RuleFile, RuleFileError, RuleLoader};
 #[cfg(feature = "live")]
 pub use cga_eval::{Live, LiveError};
-#[cfg(feature = "eval")]
-pub use cga_eval::{RuleFile, RuleFileError, RuleLoader};
 #[cfg(not(rust_analyzer))]
 pub use cga_macros::cga;
 #[cfg(rust_analyzer)]

@@ -8,6 +8,8 @@ mod parts;
 #[cfg(feature = "pbr")]
 mod pbr;
 mod plugin;
+#[cfg(feature = "eval")]
+mod rules;
 mod run;
 mod show;
 mod source;
@@ -16,5 +18,7 @@ pub use convert::collider_triangles;
 pub use event::{CgaError, CgaFailed, CgaGenerated, CgaLeaf};
 pub use parts::{CgaMesh, CgaModel, CgaOrigin, CgaRoot};
 pub use plugin::{CgaPlugin, CgaSystems};
+#[cfg(feature = "eval")]
+pub use rules::{CgaFile, CgaRuleLoader, CgaRules};
 pub use run::CgaRun;
 pub use source::{Cga, LeafEvents};

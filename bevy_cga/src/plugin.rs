@@ -1,6 +1,8 @@
 //! The plugin and its systems.
 
 use bevy_app::{App, Plugin, PostUpdate};
+#[cfg(feature = "eval")]
+use bevy_asset::AssetApp;
 use bevy_asset::{AssetEventSystems, Assets};
 use bevy_ecs::change_detection::DetectChangesMut;
 use bevy_ecs::entity::Entity;
@@ -43,6 +45,10 @@ impl Plugin for CgaPlugin {
                 .before(AssetEventSystems)
                 .before(TransformSystems::Propagate),
         );
+        #[cfg(feature = "eval")]
+        app.init_asset::<crate::CgaRules>()
+            .register_asset_loader(crate::CgaRuleLoader::default())
+            .add_systems(PostUpdate, crate::rules::take_rules.in_set(CgaSystems).before(start_runs));
         #[cfg(feature = "pbr")]
         crate::pbr::build(app, &self.image_folder);
     }

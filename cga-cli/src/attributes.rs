@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use cga::{Attribute, Grammar, RuleFile};
+use cga::{Attribute, Grammar, RuleFile, Text, Value};
 
 use crate::Status;
 use crate::options::AttributeOptions;
@@ -10,7 +10,7 @@ use crate::run::load;
 use crate::stream::{print, say};
 
 pub(crate) fn command(options: &AttributeOptions) -> Status {
-    match load(&options.rules) {
+    match load(&options.rules, &mut |_| Ok(false)) {
         Ok(rules) => {
             let text = if options.json { rules.attributes_json() + "\n" } else { table(&rules) };
             print(&text).map_or_else(
@@ -51,7 +51,7 @@ fn table(rules: &RuleFile) -> String {
 /// The default, the allowed values and the meaning of an attribute.
 fn described(rules: &RuleFile, attribute: &Attribute) -> String {
     let mut parts = vec![match &attribute.default {
-        Some(value) => value.to_string(),
+        Some(value) => written(value),
         None => format!("({}, computed for each lot)", attribute.ty),
     }];
     if let Some(range) = attribute.range {
@@ -67,9 +67,41 @@ fn described(rules: &RuleFile, attribute: &Attribute) -> String {
     parts.join("; ")
 }
 
+/// A value as `--set` takes it.
+fn written(value: &Value) -> String {
+    fn rows<T>(entries: &[T], columns: usize, entry: impl Fn(&T) -> String) -> String {
+        let rows = entries.chunks(columns.max(1));
+        let rows: Vec<String> = rows.map(|row| row.iter().map(&entry).collect::<Vec<_>>().join(", ")).collect();
+        format!("[{}]", rows.join("; "))
+    }
+    let quoted = |text: &Text| format!("\"{}\"", text.as_str().replace('\\', "\\\\").replace('"', "\\\""));
+    match value {
+        Value::Floats(array) => rows(array.as_slice(), array.columns(), |number| Value::Float(*number).to_string()),
+        Value::Bools(array) => rows(array.as_slice(), array.columns(), ToString::to_string),
+        Value::Texts(array) => rows(array.as_slice(), array.columns(), quoted),
+        value => value.to_string(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn values_are_written_as_they_are_set() {
+        let rules = "
+            attr sizes = [1, 2.5; 3, 4]  attr lit = [true, false]  attr names = [\"a \\\"b\\\"\", \"c,;d\\\\\"]
+            attr name = \"it's\"  Lot --> print(size(sizes) + size(lit) + size(names) + name) X.
+        ";
+        let rules = RuleFile::from_text(rules).expect("good rules");
+        for attribute in rules.attributes() {
+            let value = attribute.default.clone().expect("a value");
+            let text = written(&value);
+            assert_eq!(Value::parse(&text, attribute.ty), Some(value), "{}: {text}", attribute.name);
+        }
+        assert_eq!(written(&Value::Floats(cga::Array::default())), "[]");
+        assert_eq!(written(rules.attributes()[0].default.as_ref().expect("a value")), "[1, 2.5; 3, 4]");
+    }
 
     #[test]
     fn attributes_have_their_default_range_choices_and_meaning() {

@@ -1,15 +1,34 @@
 //! Lots from the polygons of a GeoJSON file, in metres around their middle.
 
-use cga::{Grammar, Shape, Value, ValueType};
+use cga::{Error, Grammar, Settings, Shape, Text, Value, ValueType};
 use geo_types::{Coord, Geometry, LineString, MultiPolygon, Polygon};
 use geojson::{Feature, GeoJson, JsonValue};
 
-/// The lots of a file, and a note for each feature that has none and for each property that is not read. Lots have seeds from `seed` on, in
+/// Notes about a file for its user.
+#[derive(Debug, Default)]
+pub(crate) struct Notes {
+    pub(crate) list: Vec<String>,
+    /// True if a note is about a mistake: a polygon that is not a lot, or a value that is refused.
+    pub(crate) has_mistakes: bool,
+}
+
+impl Notes {
+    fn add(&mut self, note: String) {
+        self.list.push(note);
+    }
+
+    fn mistake(&mut self, note: String) {
+        self.list.push(note);
+        self.has_mistakes = true;
+    }
+}
+
+/// The lots of a file, with a note for each feature that has none and for each property that is not read. Lots have seeds from `seed` on, in
 /// the order of the file: each polygon counts, so that lots keep their seeds if others cannot be used.
 ///
 /// # Errors
 /// The text is not GeoJSON, its coordinates are not degrees, or no feature has a lot.
-pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64) -> Result<(Vec<Shape>, Vec<String>), String> {
+pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64, notes: &mut Notes) -> Result<Vec<Shape>, String> {
     // Some programs begin a file with a mark of its encoding.
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let file: GeoJson = text.parse().map_err(|why| format!("it is not GeoJSON: {why}"))?;
@@ -18,15 +37,15 @@ pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64) -> Result<(Vec<
         GeoJson::Feature(feature) => vec![feature],
         GeoJson::Geometry(geometry) => vec![Feature::from(geometry)],
     };
-    let mut notes = Vec::new();
     let mut polygons: Vec<(usize, Polygon)> = Vec::new();
     for (number, feature) in features.iter().enumerate() {
         match of_feature(feature) {
             Ok(list) => polygons.extend(list.0.into_iter().map(|polygon| (number, polygon))),
-            Err(why) => notes.push(format!("{} is left out: {why}", label(feature, number))),
+            Err(why) => notes.add(format!("{} is left out: {why}", label(feature, number))),
         }
     }
     let place = Place::of(polygons.iter().map(|(_, polygon)| polygon))?;
+    place.note().into_iter().for_each(|note| notes.add(note));
     let mut lots = Vec::new();
     for (at, (number, polygon)) in (0..).zip(polygons) {
         let feature = &features[number];
@@ -34,17 +53,17 @@ pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64) -> Result<(Vec<
             Ok(shape) => {
                 let shape = shape.seed(seed.wrapping_add(at));
                 let shape = named(shape, feature);
-                let mut note = |why| notes.push(format!("{}: {why}", label(feature, number)));
+                let mut note = |why| notes.mistake(format!("{}: {why}", label(feature, number)));
                 lots.push(with_values(shape, feature, grammar, &mut note));
             }
-            Err(why) => notes.push(format!("{} is left out: {why}", label(feature, number))),
+            Err(why) => notes.mistake(format!("{} is left out: {why}", label(feature, number))),
         }
     }
     if lots.is_empty() {
-        let notes: String = notes.iter().map(|note| format!("\n  {note}")).collect();
+        let notes: String = notes.list.iter().map(|note| format!("\n  {note}")).collect();
         return Err(format!("no feature is a polygon that can be a lot{notes}"));
     }
-    Ok((lots, notes))
+    Ok(lots)
 }
 
 /// The polygons of a feature.
@@ -82,18 +101,52 @@ fn named(shape: Shape, feature: &Feature) -> Shape {
     }
 }
 
-/// Gives a lot the values of properties that are attributes of the grammar, with a note for each property of another type.
+/// Gives a lot the values of properties that are attributes of the grammar, with a note for each property that has another type or that
+/// the grammar refuses.
 fn with_values(shape: Shape, feature: &Feature, grammar: &dyn Grammar, note: &mut dyn FnMut(String)) -> Shape {
     let Some(properties) = &feature.properties else { return shape };
-    let given = grammar.attributes().iter().filter_map(|attribute| {
-        let given = properties.get(attribute.name.as_str()).filter(|given| !given.is_null())?;
-        let read = value(given, attribute.ty);
-        if read.is_none() {
-            note(format!("its property `{}` is left out: {given} is not {}", attribute.name, attribute.ty));
+    let mut values: Vec<(Text, Value)> = Vec::new();
+    for attribute in grammar.attributes() {
+        let Some(given) = properties.get(attribute.name.as_str()).filter(|given| !given.is_null()) else { continue };
+        match value(given, attribute.ty) {
+            Some(value) => values.push((attribute.name.clone(), value)),
+            None => note(format!("its property `{}` is left out: {given} is not {}", attribute.name, attribute.ty)),
         }
-        Some((attribute.name.clone(), read?))
-    });
-    given.fold(shape, |shape, (name, value)| shape.attribute(name, value))
+    }
+    let with = |shape: &Shape, (name, value): &(Text, Value)| shape.clone().attribute(name.clone(), value.clone());
+    let all = values.iter().fold(shape.clone(), |shape, value| with(&shape, value));
+    if values.is_empty() || refusal(&all, grammar).is_none() {
+        return all;
+    }
+    // Values may be the choices of others, so they are tried again while one is taken.
+    let mut lot = shape;
+    loop {
+        let before = values.len();
+        values.retain(|value| {
+            let tried = with(&lot, value);
+            let is_refused = refusal(&tried, grammar).is_some();
+            if !is_refused {
+                lot = tried;
+            }
+            is_refused
+        });
+        if values.is_empty() || values.len() == before {
+            break;
+        }
+    }
+    for value in &values {
+        let why = refusal(&with(&lot, value), grammar).unwrap_or_default();
+        note(format!("its property `{}` is left out: {why}", value.0));
+    }
+    lot
+}
+
+/// The reason why the grammar refuses a value of a lot.
+fn refusal(lot: &Shape, grammar: &dyn Grammar) -> Option<String> {
+    match grammar.used_values(lot, &Settings::default()) {
+        Err(Error::Lot { problems, .. }) => Some(problems.join("; ")),
+        _ => None,
+    }
 }
 
 /// The value of a property. Maps often have numbers as text.
@@ -114,17 +167,23 @@ struct Place {
     middle: Coord,
     /// The metres in a degree to the east and to the north.
     degree: Coord,
+    /// The degrees from the middle to the sides of the box around all lots.
+    reach: Coord,
+    /// True if the box crosses the meridian of 180 degrees: longitudes in the west count on from 180.
+    is_across: bool,
 }
+
+/// The largest error of distances that needs no note.
+const SMALL_ERROR: f64 = 0.01;
+
+/// The largest reach in metres that needs no note.
+const NEAR: f64 = 500_000.0;
 
 impl Place {
     /// The middle of the box around some polygons.
     fn of<'p>(polygons: impl Iterator<Item = &'p Polygon>) -> Result<Self, String> {
-        let (mut low, mut high) =
-            (Coord { x: f64::INFINITY, y: f64::INFINITY }, Coord { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY });
-        for point in polygons.flat_map(|polygon| polygon.exterior().coords()) {
-            (low.x, low.y) = (low.x.min(point.x), low.y.min(point.y));
-            (high.x, high.y) = (high.x.max(point.x), high.y.max(point.y));
-        }
+        let points: Vec<Coord> = polygons.flat_map(|polygon| polygon.exterior().coords()).copied().collect();
+        let (low, high) = bounds(points.iter().copied());
         if low.x < -180.0 || 180.0 < high.x || low.y < -90.0 || 90.0 < high.y {
             return Err(format!(
                 "coordinates from ({}, {}) to ({}, {}) are not longitudes and latitudes in degrees, as GeoJSON has them; \
@@ -132,19 +191,54 @@ impl Place {
                 low.x, low.y, high.x, high.y
             ));
         }
+        let across = bounds(points.into_iter().map(counted_on));
+        let is_across = 180.0 < high.x - low.x && across.1.x - across.0.x < high.x - low.x;
+        let (low, high) = if is_across { across } else { (low, high) };
         let middle = (low + high) / 2.0;
-        Ok(Place { middle, degree: metres_a_degree(middle.y) })
+        Ok(Place { middle, degree: metres_a_degree(middle.y), reach: (high - low) / 2.0, is_across })
+    }
+
+    /// A note about lots that are too far from each other for a flat map.
+    fn note(&self) -> Option<String> {
+        let metres = Coord { x: self.reach.x * self.degree.x, y: self.reach.y * self.degree.y };
+        let sides = [self.middle.y - self.reach.y, self.middle.y + self.reach.y].map(|side| metres_a_degree(side).x);
+        let error = sides.into_iter().map(|side| (self.degree.x / side - 1.0).abs()).fold(0.0, f64::max);
+        let far = metres.x.max(metres.y);
+        (SMALL_ERROR < error || NEAR < far).then(|| {
+            let percent = (100.0 * error).min(999.0);
+            format!(
+                "the lots are up to {:.0} km from their middle, where lengths to the east are wrong by up to {percent:.0} %: the Earth is taken as \
+                 flat; run each town by itself",
+                far / 1000.0
+            )
+        })
     }
 
     /// A polygon in metres to the east and to the north of the middle.
     fn metres(&self, polygon: &Polygon) -> Polygon {
-        let moved = |point: &Coord| Coord {
-            x: (point.x - self.middle.x) * self.degree.x,
-            y: (point.y - self.middle.y) * self.degree.y,
+        let moved = |point: &Coord| {
+            let point = if self.is_across { counted_on(*point) } else { *point };
+            Coord { x: (point.x - self.middle.x) * self.degree.x, y: (point.y - self.middle.y) * self.degree.y }
         };
         let ring = |ring: &LineString| -> LineString { ring.coords().map(moved).collect() };
         Polygon::new(ring(polygon.exterior()), polygon.interiors().iter().map(ring).collect())
     }
+}
+
+/// A point whose longitude counts from 0 to 360 degrees.
+fn counted_on(point: Coord) -> Coord {
+    if point.x < 0.0 { Coord { x: point.x + 360.0, ..point } } else { point }
+}
+
+/// The corners of the box around points.
+fn bounds(points: impl Iterator<Item = Coord>) -> (Coord, Coord) {
+    let (mut low, mut high) =
+        (Coord { x: f64::INFINITY, y: f64::INFINITY }, Coord { x: f64::NEG_INFINITY, y: f64::NEG_INFINITY });
+    for point in points {
+        (low.x, low.y) = (low.x.min(point.x), low.y.min(point.y));
+        (high.x, high.y) = (high.x.max(point.x), high.y.max(point.y));
+    }
+    (low, high)
 }
 
 /// The metres to the east in a degree of longitude and to the north in a degree of latitude, on the ellipsoid WGS 84. Computed with `libm`,

@@ -5,23 +5,33 @@ use std::path::Path;
 
 use cga::{Assets, Grammar, Mesh, Shape};
 
-use crate::footprints;
+use crate::footprints::{self, Notes};
 use crate::options::LotOptions;
 use crate::stream::say;
+use crate::watch::folder;
 
 /// The width and the depth of a lot that is not given, in metres.
 const USUAL: (f64, f64) = (20.0, 15.0);
 
-/// The initial shapes, with seeds from `seed` on.
+/// The initial shapes of a run.
+#[derive(Debug)]
+pub(crate) struct Lots {
+    pub(crate) shapes: Vec<Shape>,
+    /// True if each row of the file is a lot with the values that the file has.
+    pub(crate) are_whole: bool,
+}
+
+/// The initial shapes, with seeds from `seed` on. Notes about the rows of a file are written to standard error.
 ///
 /// # Errors
 /// A sentence about a file that cannot be used.
-pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Vec<Shape>, String> {
+pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Lots, String> {
     if let Some(path) = &options.footprint {
         let text = text(path).map_err(|why| unread(path, why))?;
-        let (lots, notes) = footprints::lots(&text, grammar, seed).map_err(|why| unread(path, why))?;
-        notes.iter().for_each(|note| say(format_args!("{}: {note}", path.display())));
-        return Ok(lots);
+        let mut notes = Notes::default();
+        let shapes = footprints::lots(&text, grammar, seed, &mut notes).map_err(|why| unread(path, why))?;
+        notes.list.iter().for_each(|note| say(format_args!("{}: {note}", path.display())));
+        return Ok(Lots { shapes, are_whole: !notes.has_mistakes });
     }
     let shape = match &options.mesh {
         Some(path) => Shape::mesh(mesh(path).map_err(|why| unread(path, why))?),
@@ -30,7 +40,7 @@ pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Re
             Shape::rectangle(width, depth)
         }
     };
-    Ok(vec![shape.seed(seed)])
+    Ok(Lots { shapes: vec![shape.seed(seed)], are_whole: true })
 }
 
 /// The most bytes of a file of lots.
@@ -53,8 +63,10 @@ fn unread(path: &Path, why: impl std::fmt::Display) -> String {
 
 /// The mesh of a file, with its materials.
 fn mesh(path: &Path) -> Result<Mesh, String> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = path.file_name().ok_or("it is not a file")?.to_string_lossy();
-    let mesh = Assets::below(folder).mesh(&name).map_err(|why| why.to_string())?;
+    let mesh = Assets::below(folder(path)).mesh(&name).map_err(|why| why.to_string())?;
+    if mesh.face_count() == 0 {
+        return Err("it has no faces, so there is nothing to build on".to_owned());
+    }
     Ok(Mesh::clone(&mesh))
 }

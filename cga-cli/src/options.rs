@@ -31,8 +31,8 @@ pub(crate) enum Command {
 
 const RUN_STATUS: &str = "\
 Printed lines go to standard output (with `--reports -` to standard error), faults to standard error.
-exit status: 0 all went well, 1 the rules have errors or a run ended early, 2 a file cannot be read or
-written or the arguments are wrong";
+exit status: 0 all went well, 1 the rules have errors, a run ended early, or a lot or a value of a file was
+left out, 2 a file cannot be read or written or the arguments are wrong";
 
 /// Imported files are looked up beside the importing file and in the folders above. Each finding is reported once, in its own file. Files
 /// of assets are not read: their names, groups and materials are checked by the macro alone.
@@ -64,7 +64,7 @@ pub(crate) struct RuleOptions {
     /// The rule file
     #[arg(value_name = "FILE")]
     pub(crate) file: PathBuf,
-    /// Does not read rule files outside of this folder; the path of the rule file begins there
+    /// Does not read rule files outside of this folder: imports and links that lead out of it are errors
     #[arg(long, value_name = "FOLDER")]
     pub(crate) root: Option<PathBuf>,
     /// The name of the grammar in files [default: the name of the file without its ending]

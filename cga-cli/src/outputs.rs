@@ -1,11 +1,14 @@
 //! The files of a run.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use cga::sink::picture::Picture;
 use cga::{Batches, Model, Report, WriteError};
 
+use crate::options::RunOptions;
 use crate::stream::print;
+use crate::watch::folder;
 
 /// The kind of a file, by the ending of its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,6 +34,29 @@ impl FileKind {
             _ => Err(format!("`{}` ends in none of .glb, .obj, .png and .svg", path.display())),
         }
     }
+}
+
+/// Checks the files that a run writes.
+///
+/// # Errors
+/// A sentence about a file with another ending, one that is given twice, or one whose folder does not exist.
+pub(crate) fn check_outputs(options: &RunOptions) -> Result<(), String> {
+    options.output.iter().try_for_each(|path| FileKind::of(path).map(drop))?;
+    let reports = options.reports.iter().filter(|path| **path != Path::new("-"));
+    let mut known = BTreeSet::new();
+    for path in options.output.iter().chain(reports) {
+        let shown = path.display();
+        let folder = folder(path);
+        if !folder.is_dir() {
+            return Err(format!("cannot write `{shown}`: there is no folder `{}`; make it first", folder.display()));
+        }
+        let real =
+            folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default());
+        if !known.insert(real) {
+            return Err(format!("`{shown}` is given twice; give each output its own name"));
+        }
+    }
+    Ok(())
 }
 
 /// The result of a run: the model of a lot, or the models of all lots of a file.

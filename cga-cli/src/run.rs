@@ -4,12 +4,12 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use cga::{Assets, Error, Grammar as _, RuleFile, RuleLoader, Scene, Settings, Shape, Watch};
+use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLoader, Scene, Settings, Shape, Watch};
 
 use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
-use crate::outputs::{FileKind, Output, write_reports};
+use crate::outputs::{Output, check_outputs, write_reports};
 use crate::stream::{print, say};
 
 /// The reason why a command ends.
@@ -31,17 +31,17 @@ impl Problem {
 
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {
-    run(options).unwrap_or_else(|problem| {
+    run(options, &mut |_| Ok(false)).unwrap_or_else(|problem| {
         say(problem.message);
         problem.status
     })
 }
 
-/// Loads rules.
+/// Loads rules, again while `follow` returns true for the files that they depend on.
 ///
 /// # Errors
 /// The file cannot be read, or its rules have errors.
-pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
+pub(crate) fn load(options: &RuleOptions, follow: Follow<'_>) -> Result<RuleFile, Problem> {
     let RuleOptions { file, root, name } = options;
     let mut loader = RuleLoader::new();
     if let Some(root) = root {
@@ -50,21 +50,42 @@ pub(crate) fn load(options: &RuleOptions) -> Result<RuleFile, Problem> {
     if let Some(name) = name {
         loader = loader.named(name);
     }
-    // A missing file is a problem of the arguments, not of the rules.
-    let status = if at(root.as_deref(), file).is_file() { Status::Failed } else { Status::Unusable };
-    loader.open(file).map_err(|error| Problem { status, message: error.to_string() })
+    let path = std::path::absolute(file).map_err(Problem::unusable)?;
+    // The folder of the rules is where paths in messages begin.
+    let path = if root.is_some() { &path } else { file };
+    let mut left = MOST_LOADS;
+    loop {
+        let loaded = loader.open(path);
+        left -= 1;
+        let files = loaded.as_ref().map_or_else(RuleFileError::files, RuleFile::files);
+        if follow(files).map_err(Problem::unusable)? && left != 0 {
+            continue;
+        }
+        return loaded.map_err(|error| {
+            // A file that cannot be read is a problem of the arguments, not of the rules.
+            let status = if error.files().read().is_empty() { Status::Unusable } else { Status::Failed };
+            Problem { status, message: error.to_string() }
+        });
+    }
 }
 
-/// The place of a rule file.
-pub(crate) fn at(root: Option<&Path>, file: &Path) -> std::path::PathBuf {
-    root.map_or_else(|| file.to_owned(), |root| root.join(file))
-}
+/// The most times that rules are loaded for one run.
+const MOST_LOADS: usize = 4;
+
+/// Takes the files that rules depend on. Returns true if they must be read again.
+pub(crate) type Follow<'f> = &'f mut dyn FnMut(&FileList) -> Result<bool, String>;
 
 /// Loads the rules, runs them, and writes the files.
-pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
-    // Nothing runs for files that cannot be written.
-    options.output.iter().try_for_each(|path| FileKind::of(path).map(drop)).map_err(Problem::unusable)?;
-    let mut rules = load(&options.rules)?;
+pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Problem> {
+    // Nothing runs for files that cannot be written, or for assets that do not exist.
+    check_outputs(options).map_err(Problem::unusable)?;
+    if let Some(folder) = options.assets.as_ref().filter(|folder| !folder.is_dir()) {
+        return Err(Problem::unusable(format!(
+            "cannot read assets from `{}`: there is no such folder",
+            folder.display()
+        )));
+    }
+    let mut rules = load(&options.rules, follow)?;
     rules.warnings().iter().for_each(|warning| say(format_args!("{warning}\n")));
     for (name, value) in &options.values {
         rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;
@@ -77,7 +98,7 @@ pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
         ..Settings::default()
     };
     let begun = Instant::now();
-    let output = derive(&rules, &lots, &settings).map_err(Problem::failed)?;
+    let output = derive(&rules, &lots.shapes, &settings).map_err(Problem::failed)?;
     let took = begun.elapsed();
     tell(options, &output).map_err(Problem::unusable)?;
     if output.report().stopped {
@@ -90,8 +111,8 @@ pub(crate) fn run(options: &RunOptions) -> Result<Status, Problem> {
     if let Some(path) = &options.reports {
         write_reports(output.report(), path).map_err(Problem::unusable)?;
     }
-    summary(options, &output, lots.len(), took);
-    let fails = options.deny_faults && !output.report().faults().is_empty();
+    summary(options, &output, lots.shapes.len(), took);
+    let fails = !lots.are_whole || options.deny_faults && !output.report().faults().is_empty();
     Ok(if fails { Status::Failed } else { Status::Success })
 }
 

@@ -131,6 +131,9 @@ fn mistakes_have_a_message_and_a_status() {
     folder.write("wrong.cga", "Lot --> extrude(\n");
     folder.write("endless.cga", "Lot --> split(x) { '0.5 : Lot Lot Lot | ~1 : Lot Lot Lot }");
     folder.write("fault.cga", "Lot --> i(\"lost.obj\") X.");
+    folder.write("empty.obj", "v 0 0 0\n");
+    fs::create_dir_all(folder.0.join("rules")).expect("a folder");
+    folder.write("rules/in.cga", "Lot --> X.");
     folder.write("feet.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]]]}");
     for (args, status, message) in [
         ("run tower.cga --set heigth=3", 2, "there is no attribute `heigth`; did you mean `height`?"),
@@ -146,6 +149,14 @@ fn mistakes_have_a_message_and_a_status() {
         ("run tower.cga --mesh tower.cga", 2, "cannot read `tower.cga`"),
         ("run tower.cga --footprint tower.cga", 2, "it is not GeoJSON"),
         ("run tower.cga --footprint feet.geojson", 2, "convert the file to EPSG:4326 first"),
+        ("run tower.cga -o lost/tower.glb --start Lott", 2, "there is no folder `lost`; make it first"),
+        ("run tower.cga -o a.glb -o ./a.glb", 2, "`./a.glb` is given twice"),
+        ("run tower.cga -o a.glb --reports a.glb", 2, "`a.glb` is given twice"),
+        ("run tower.cga --assets lost", 2, "cannot read assets from `lost`: there is no such folder"),
+        ("run tower.cga --mesh empty.obj", 2, "cannot read `empty.obj`: it has no faces"),
+        ("run rules/../tower.cga --root rules", 2, "it is not a file in `rules`"),
+        ("run rules/in.cga --root rules", 0, "1 parts"),
+        ("run rules/in.cga --root lost", 2, "cannot read `lost`"),
         ("attributes lost.cga", 2, "cannot read `lost.cga`"),
         ("check wrong.cga", 1, ""),
         ("check lost.cga", 2, "cannot read"),
@@ -182,7 +193,7 @@ fn lots_keep_their_seeds_when_others_cannot_be_used() {
     let lines = |features: &[String]| {
         folder.write("lots.geojson", &collection(features));
         let output = folder.run("run random.cga --footprint lots.geojson");
-        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert_ne!(output.status.code(), Some(2), "{}", text(&output.stderr));
         text(&output.stdout).lines().map(str::to_owned).collect::<Vec<_>>()
     };
     let [first, second, third] = [0, 1, 2].map(|at| square(at, "null", 0.001 * f64::from(at)));
@@ -206,6 +217,49 @@ fn properties_are_read_by_the_types_of_attributes() {
     assert_eq!(text(&output.stdout), "713\nn21\n");
     let note = "lots.geojson: feature `1`: its property `height` is left out: \"tall\" is not a number\n";
     assert!(text(&output.stderr).contains(note), "{}", text(&output.stderr));
+}
+
+#[test]
+fn a_value_that_is_refused_is_named_and_the_other_lots_are_made() {
+    let folder = Folder::new("refused");
+    let features = [
+        square(1, "{\"height\": 300}", 0.0),
+        square(2, "{\"height\": 30}", 0.001),
+        square(3, "{\"height\": 8}", 0.002),
+    ];
+    folder.write("lots.geojson", &collection(&features));
+    let output = folder.run("run tower.cga --footprint lots.geojson -o town.obj");
+    let errors = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{errors}");
+    let note =
+        "lots.geojson: feature `1`: its property `height` is left out: attribute `height`: 300 is outside of 6 to 60\n";
+    assert!(errors.contains(note) && errors.contains("3 lots, "), "{errors}");
+    assert!(folder.0.join("town.obj").is_file());
+    // A value may be one of the values of another one that comes later.
+    folder.write("lot.cga", "@Enum(valuesAttr = list, restricted = true) attr one = \"a\"  attr list = [\"a\"]  Lot --> print(one + size(list)) X.");
+    folder.write("lots.geojson", &collection(&[square(1, "{\"one\": \"b\", \"list\": [\"b\", \"c\"]}", 0.0)]));
+    let output = folder.run("run lot.cga --footprint lots.geojson");
+    assert_eq!((output.status.code(), text(&output.stdout)), (Some(0), "b2\n".to_owned()), "{}", text(&output.stderr));
+}
+
+#[test]
+fn lots_far_from_each_other_have_a_note_and_lots_around_the_antimeridian_are_neighbours() {
+    let folder = Folder::new("far");
+    folder.write("lot.cga", "Lot --> X.");
+    let run = |features: &[String]| {
+        folder.write("lots.geojson", &collection(features));
+        let output = folder.run("run lot.cga --footprint lots.geojson -o town.obj");
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let widest = text(&folder.read("town.obj"))
+            .lines()
+            .filter_map(|line| line.strip_prefix("v ")?.split(' ').next()?.parse::<f64>().ok())
+            .fold(0.0, |widest: f64, x| widest.max(x.abs()));
+        (text(&output.stderr), widest)
+    };
+    let (errors, widest) = run(&[square(1, "null", -20.0), square(2, "null", 20.0)]);
+    assert!(errors.contains("the lots are up to 2226 km from their middle") && 2e6 < widest, "{errors}");
+    let (errors, widest) = run(&[square(1, "null", 179.999), square(2, "null", -179.999)]);
+    assert!(!errors.contains("from their middle") && widest < 200.0, "{errors} {widest}");
 }
 
 #[test]

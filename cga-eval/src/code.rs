@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga_lang::ir::Type;
-use cga_runtime::rt::{Align, Arm, Components, Mode, Select, Shape, Text, Value, Word};
+use cga_runtime::rt::{Align, Arm, Components, Env, Mode, Select, Shape, Text, Value, Word};
 
 use crate::dispatch::FunctionCall;
 use crate::object::Object;
@@ -12,8 +12,17 @@ use crate::stack::Stack;
 /// A function of the host program.
 pub(crate) type HostFunction = Arc<dyn Fn(&[Value]) -> Value + Send + Sync>;
 
+/// An operation that the host program has registered.
+pub(crate) type RegisteredOperation = dyn Fn(&mut Shape, &[Value]) + Send + Sync;
+
 /// An operation of the host program.
-pub(crate) type HostOperation = Arc<dyn Fn(&mut Shape, &[Value]) + Send + Sync>;
+#[derive(Clone)]
+pub(crate) enum HostOperation {
+    /// Registered by the program.
+    Registered(Arc<RegisteredOperation>),
+    /// Compiled with the rules.
+    Compiled(fn(&mut Env, &mut Shape, &[Value])),
+}
 
 /// One or more expressions: their values are left on the stack, in order.
 #[derive(Debug, Default)]

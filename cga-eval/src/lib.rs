@@ -14,13 +14,17 @@ mod program;
 mod rule_file;
 mod rule_loader;
 mod run;
-mod sources;
 mod stack;
 mod steps;
 mod tables;
+#[cfg(feature = "live")]
+mod watch;
 
+pub use cga_source::FileList;
 pub use error::RuleFileError;
 #[cfg(feature = "live")]
 pub use live::{Live, LiveError};
 pub use rule_file::RuleFile;
 pub use rule_loader::RuleLoader;
+#[cfg(feature = "live")]
+pub use watch::FileWatcher;

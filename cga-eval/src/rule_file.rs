@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use cga_runtime::fault::Error;
 use cga_runtime::grammar::Grammar;
-use cga_runtime::grammar::attribute::{self, Attribute};
+use cga_runtime::grammar::attribute::{self, Attribute, AttributeError};
 use cga_runtime::grammar::session::{self, DynSession, Session};
 use cga_runtime::rt::{Checked, Cx, Env, Flow, RuleTables, Rules, Shape, ShapeRef, Text, Value};
 use cga_runtime::run::report::Report;
 use cga_runtime::run::settings::Settings;
 use cga_runtime::run::sink::Sink;
 use cga_runtime::run::start_rule::StartRule;
+use cga_source::FileList;
 
 use crate::call::Call;
 use crate::program::Program;
@@ -46,12 +47,43 @@ pub(crate) struct Loaded {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
+    pub(crate) files: FileList,
 }
 
 impl RuleFile {
     /// The warnings about the rules, as the compiler shows them.
     pub fn warnings(&self) -> &[String] {
         &self.loaded.warnings
+    }
+
+    /// The files on the disk that the rules depend on: programs that follow their rules watch them.
+    pub fn files(&self) -> &FileList {
+        &self.loaded.files
+    }
+
+    /// Takes the values of attributes that differ from their defaults in another grammar, by name. Returns the names of the values that
+    /// these rules refuse, each with the reason.
+    pub fn take_values(&mut self, from: &dyn Grammar) -> Vec<(Text, AttributeError)> {
+        self.take_some_values(from, &|_| false)
+    }
+
+    /// Takes values that differ from their defaults, and the values of some attributes by name.
+    pub(crate) fn take_some_values(
+        &mut self,
+        from: &dyn Grammar,
+        are_set: &dyn Fn(&str) -> bool,
+    ) -> Vec<(Text, AttributeError)> {
+        let mut refused = Vec::new();
+        for (index, attribute) in from.attributes().iter().enumerate() {
+            let value = from.attribute_get(index);
+            if value == attribute.default && !are_set(&attribute.name) {
+                continue;
+            }
+            if let Some(Err(error)) = value.map(|value| self.set(&attribute.name, value)) {
+                refused.push((attribute.name.clone(), error));
+            }
+        }
+        refused
     }
 
     /// Opens a session: several runs with the same settings, which share what is made once.

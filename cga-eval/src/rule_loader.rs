@@ -9,14 +9,14 @@ use cga_lang::compile::{Compiled, compile};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::ir::plan::RunPlan;
-use cga_lang::link::Unit;
 use cga_lang::snippet::{Lines, render_in};
 use cga_runtime::rt::{Shape, Text, Value};
+use cga_source::RuleFiles;
 
+use crate::code::HostOperation;
 use crate::compile::{Registered, program};
 use crate::error::RuleFileError;
 use crate::rule_file::{Loaded, RuleFile};
-use crate::sources::Sources;
 use crate::tables::{attributes, tables};
 
 /// Loads rules with files in memory and functions of the program.
@@ -88,7 +88,7 @@ impl RuleLoader {
         path: impl Into<String>,
         operation: impl Fn(&mut Shape, &[Value]) + Send + Sync + 'static,
     ) -> Self {
-        self.registered.operations.insert(path.into(), Arc::new(operation));
+        self.registered.operations.insert(path.into(), HostOperation::Registered(Arc::new(operation)));
         self
     }
 
@@ -121,11 +121,44 @@ impl RuleLoader {
     /// The file cannot be read, or its rules have errors.
     pub fn open(&self, path: impl AsRef<Path>) -> Result<RuleFile, RuleFileError> {
         let path = path.as_ref();
-        let mut sources = Sources::new(self.memory.clone(), true, self.root.as_deref()).map_err(RuleFileError::one)?;
-        let unit =
-            sources.read(path).map_err(|why| RuleFileError::one(format!("cannot read `{}`: {why}", path.display())))?;
+        let mut files = match &self.root {
+            Some(root) => self.files(root)?,
+            None => RuleFiles::in_memory(self.memory.clone()).with_disk(),
+        };
+        let number = files.load(path).map_err(|why| RuleFileError::one(why).with_files(files.list()))?;
         let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-        self.load(unit, sources, self.name.as_deref().unwrap_or(&stem))
+        self.load(number, files, self.name.as_deref().unwrap_or(&stem))
+    }
+
+    /// Loads a rule file that [`with_file`](RuleLoader::with_file) has added, and the files that it imports. Programs that read files
+    /// themselves, as game engines and web pages do, add them first; [`imports`](RuleLoader::imports) names them.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let text = "import walls : \"wall.cga\"  Lot --> walls.Wall";
+    /// assert_eq!(RuleLoader::imports("rules/lot.cga", text)[0][..2], ["rules/wall.cga", "rules/assets/wall.cga"]);
+    /// let loader = RuleLoader::new().with_file("rules/lot.cga", text).with_file("rules/wall.cga", "Wall --> X.");
+    /// assert!(loader.memory_file("rules/lot.cga").is_ok());
+    /// ```
+    ///
+    /// # Errors
+    /// There is no such file, or the rules have errors.
+    pub fn memory_file(&self, name: &str) -> Result<RuleFile, RuleFileError> {
+        let mut files = RuleFiles::in_memory(self.memory.clone());
+        let number = files.memory_file(name).map_err(RuleFileError::one)?;
+        let stem = Path::new(name).file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        self.load(number, files, self.name.as_deref().unwrap_or(&stem))
+    }
+
+    /// The imports of a rule text with a name, in order. Each has the names that its file may have, the likeliest first.
+    pub fn imports(name: &str, text: &str) -> Vec<Vec<String>> {
+        cga_source::imports(name, text)
+    }
+
+    /// The text of a rule file, from its bytes: in UTF-8, UTF-16 or, for single bytes, Latin-1.
+    pub fn decode(bytes: &[u8]) -> String {
+        cga_lang::syntax::lex::decode(bytes).into_owned()
     }
 
     /// Loads rules from text. Only files in memory can be imported, unless the loader has a folder.
@@ -133,13 +166,40 @@ impl RuleLoader {
     /// # Errors
     /// The rules have errors.
     pub fn text(&self, text: &str) -> Result<RuleFile, RuleFileError> {
-        let (memory, root) = (self.memory.clone(), self.root.as_deref());
-        let mut sources = Sources::new(memory, root.is_some(), root).map_err(RuleFileError::one)?;
-        let unit = sources.add("rules.cga", text.to_owned());
-        self.load(unit, sources, self.name.as_deref().unwrap_or_default())
+        let mut files = match &self.root {
+            Some(root) => self.files(root)?,
+            None => RuleFiles::in_memory(self.memory.clone()),
+        };
+        let number = files.add_text(text.to_owned());
+        self.load(number, files, self.name.as_deref().unwrap_or_default())
     }
 
-    fn load(&self, unit: Unit, mut sources: Sources, name: &str) -> Result<RuleFile, RuleFileError> {
+    /// Loads the rules of a grammar in a Rust file, below the folder of the rules.
+    #[cfg(feature = "live")]
+    pub(crate) fn open_rust(&self, path: &str, grammar: &str) -> Result<RuleFile, RuleFileError> {
+        let mut files = self.files(self.root.as_deref().unwrap_or(Path::new(".")))?;
+        let loaded = files.load_rust(Path::new(path), grammar);
+        let (number, rules) = loaded.map_err(|why| RuleFileError::one(why).with_files(files.list()))?;
+        let values = rules.hosts.iter().map(|host| format!("#{host}")).collect();
+        let levels = rules.levels.iter().map(|(code, level)| (code.name().to_owned(), *level)).collect();
+        let loader =
+            RuleLoader { levels, registered: Registered { values, ..self.registered.clone() }, ..self.clone() };
+        loader.load(number, files, grammar)
+    }
+
+    /// Takes the Rust code that was compiled with the rules.
+    #[cfg(feature = "live")]
+    pub(crate) fn with_compiled(mut self, calls: &'static [cga_runtime::rt::RustCall]) -> Self {
+        (self.registered.compiled, self.registered.is_live) = (calls, true);
+        self
+    }
+
+    /// The files in a folder and in memory.
+    fn files(&self, root: &Path) -> Result<RuleFiles, RuleFileError> {
+        RuleFiles::in_memory(self.memory.clone()).below(root).map_err(RuleFileError::one)
+    }
+
+    fn load(&self, number: usize, mut files: RuleFiles, name: &str) -> Result<RuleFile, RuleFileError> {
         let level = |(name, level): &(String, Level)| match Code::from_name(name) {
             Some(code) => Ok((code, *level)),
             None => Err(RuleFileError::one(format!(
@@ -147,14 +207,12 @@ impl RuleLoader {
             ))),
         };
         let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
-        let compiled = compile(unit, &mut sources, &levels);
-        let shown = |diags: &[Diag]| shown(&compiled, &sources, diags);
-        let Some(grammar) = &compiled.grammar else {
-            return Err(RuleFileError { diagnostics: shown(&compiled.diags) });
-        };
+        let compiled = compile(files.unit(number), &mut files, &levels);
+        let shown = |diags: &[Diag]| shown(&compiled, &files, diags);
+        let error = |diags: &[Diag]| RuleFileError { diagnostics: shown(diags), files: files.list().clone() };
+        let Some(grammar) = &compiled.grammar else { return Err(error(&compiled.diags)) };
         let plan = RunPlan::new(grammar);
-        let program = program(grammar, &plan, &self.registered)
-            .map_err(|problems| RuleFileError { diagnostics: shown(&problems) })?;
+        let program = program(grammar, &plan, &self.registered).map_err(|problems| error(&problems))?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let attributes = attributes(grammar, &defaults);
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
@@ -166,6 +224,7 @@ impl RuleLoader {
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
                 warnings: shown(&warnings),
+                files: files.list().clone(),
             }),
         })
     }
@@ -195,8 +254,14 @@ impl RuleFile {
 }
 
 /// Diagnostics as text, as the compiler shows them.
-fn shown(compiled: &Compiled, sources: &Sources, diags: &[Diag]) -> Vec<String> {
+fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> {
+    let is_inline = |diag: &Diag| files.is_inline() && compiled.locate(diag.span.first).0 == 0;
+    let spelled = |diag: &Diag| diag.spelled(if is_inline(diag) { '^' } else { '\'' });
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
-    let quote = |file: usize| sources.quote(&compiled.files.get(file)?.name, lines.get(file)?);
-    diags.iter().filter(|diag| diag.level != Level::Allow).map(|diag| render_in(compiled, &quote, diag)).collect()
+    let quote = |file: usize| files.quote(&compiled.files.get(file)?.name, lines.get(file)?);
+    diags
+        .iter()
+        .filter(|diag| diag.level != Level::Allow)
+        .map(|diag| render_in(compiled, &quote, &spelled(diag)))
+        .collect()
 }

@@ -1,9 +1,9 @@
 //! The input of the macro, read and compiled.
 
 use cga_lang::compile::{Compiled, compile};
+use cga_source::rust::{Header, read_header};
 use proc_macro2::TokenStream;
 
-use crate::header::{self, Header};
 use crate::source::{self, Source};
 use crate::stub;
 
@@ -17,7 +17,7 @@ pub(crate) struct Input {
 impl Input {
     /// Reads the tokens of a call and the files that they name. The error is an expansion that reports it.
     pub(crate) fn read(input: TokenStream) -> Result<Self, TokenStream> {
-        let (header, body) = header::read(input);
+        let (header, body) = read_header(input);
         let mut source =
             body.and_then(|body| source::open(&header, body)).map_err(|problem| stub::behind(&problem, &header))?;
         let mut imports = source::Imports::new();

@@ -16,11 +16,9 @@ macro_rules! code {
 mod codegen;
 
 mod editor;
-mod header;
 mod input;
 mod location;
 mod output;
-mod problem;
 mod report;
 mod source;
 mod stub;

@@ -1,11 +1,11 @@
 //! The output of the macro: generated code, diagnostics, rebuild tracking, and the Rust values that rules capture.
 
 use cga_lang::ir::Type;
+use cga_source::rust::{Header, Host};
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
-use crate::header::Header;
-use crate::source::{Host, Source};
+use crate::source::Source;
 
 /// Puts diagnostics, rebuild tracking and generated code together: items, or an expression without a header.
 pub(crate) fn wrap(header: &Header, source: &Source, aside: &TokenStream, output: &Output) -> TokenStream {
@@ -17,7 +17,7 @@ pub(crate) fn wrap(header: &Header, source: &Source, aside: &TokenStream, output
     let hosts = output.captures.iter().map(|(handle, ty)| (&source.hosts()[*handle as usize], *ty));
     let values = hosts.map(|(host, ty)| match ty {
         Some(ty) => convert(&header.runtime, ty, host),
-        None => host.reference(),
+        None => reference(host),
     });
     let names = (0..output.captures.len()).map(capture);
     let place = Span::mixed_site();
@@ -58,7 +58,7 @@ pub(crate) fn capture(index: usize) -> Ident {
 /// A Rust value, converted for the rules. The call has the span of the user's token, so that rustc shows a wrong type there.
 pub(crate) fn convert(runtime: &TokenStream, ty: HostType, host: &Host) -> TokenStream {
     let place = Span::mixed_site().located_at(host.span);
-    let (runtime, code) = (relocated(runtime, place), host.reference());
+    let (runtime, code) = (relocated(runtime, place), reference(host));
     let function = conversion(ty, place);
     quote_spanned!(place=> #runtime::host::#function(#code))
 }
@@ -85,10 +85,8 @@ fn relocated(path: &TokenStream, place: Span) -> TokenStream {
     moved.collect()
 }
 
-impl Host {
-    /// The value, borrowed.
-    fn reference(&self) -> TokenStream {
-        let (place, code) = (Span::mixed_site().located_at(self.span), &self.expr);
-        quote_spanned!(place=> &#code)
-    }
+/// A Rust value, borrowed.
+fn reference(host: &Host) -> TokenStream {
+    let (place, code) = (Span::mixed_site().located_at(host.span), &host.expr);
+    quote_spanned!(place=> &#code)
 }

@@ -2,10 +2,10 @@
 
 use cga_lang::diag::{Basis, Diag, Level, Line};
 use cga_lang::snippet::{Lines, Quote, place};
+use cga_source::rust::Problem;
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::quote_spanned;
 
-use crate::problem::Problem;
 use crate::source::Source;
 
 /// The largest number of errors shown, and of warnings: rustc takes long over more.
@@ -58,8 +58,8 @@ fn message(diag: &Diag, source: &Source) -> String {
     // Warnings show their code anyway.
     let is_lint = diag.level == Level::Error && diag.code.is_lint();
     let level = is_lint.then(|| format!("this is `{}`, whose level can be changed", diag.code.name()));
-    if let Some((text, first)) = source.text(diag.span.first) {
-        let token = |token: u32| source.text(token).map_or(token, |(_, token)| token);
+    if let Some((text, first)) = source.text_of(diag.span.first) {
+        let token = |token: u32| source.text_of(token).map_or(token, |(_, token)| token);
         let span = cga_lang::span::Span { first, last: token(diag.span.last) };
         let related = |place: cga_lang::span::Span| source.line(place.first);
         let mut shown = diag.clone();

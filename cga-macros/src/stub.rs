@@ -1,13 +1,12 @@
 //! The public names of a grammar with errors, so that one mistake does not become thirty in the user's code.
 
 use cga_lang::compile::Compiled;
+use cga_source::rust::{Header, Problem};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::codegen::{Public, PublicAttr, Taken, public, public_attrs};
-use crate::header::Header;
 use crate::output::Output;
-use crate::problem::Problem;
 use crate::report;
 use crate::source::Source;
 

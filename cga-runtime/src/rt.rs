@@ -21,7 +21,7 @@ pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
 pub use crate::grammar::session::{DynSession, Session, generate, generate_from, run, used_values};
 pub use crate::grammar::support::{array, bake, branch, global, hidden, image, renew, string, text};
-pub use crate::grammar::{Evaluated, Field, Grammar, RuleSource, Unrunnable};
+pub use crate::grammar::{Evaluated, Field, Grammar, RuleSource, RustCall, RustCode, Unrunnable};
 pub use crate::op::{Length, set, slim};
 pub use crate::output::batches::{Batches, RunError};
 pub use crate::output::model::Model;

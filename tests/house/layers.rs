@@ -39,9 +39,10 @@ const CRATES: &[Layers] = &[
             "snippet",
         ],
     },
+    Layers { package: "cga-source", layers: &["file_list", "imports", "read", "root", "rust", "rule_files"] },
     Layers {
         package: "cga-macros",
-        layers: &["location", "problem", "header", "source", "report", "output", "codegen", "stub", "input", "editor"],
+        layers: &["location", "source", "report", "output", "codegen", "stub", "input", "editor"],
     },
     Layers {
         package: "cga-picture",
@@ -102,10 +103,10 @@ const CRATES: &[Layers] = &[
             "tables",
             "compile",
             "run",
-            "sources",
             "error",
             "rule_file",
             "rule_loader",
+            "watch",
             "live",
         ],
     },

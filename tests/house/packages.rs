@@ -5,7 +5,7 @@ use std::path::Path;
 
 use cga_tests::tree::root;
 
-const PACKAGES: [&str; 10] = [
+const PACKAGES: [&str; 11] = [
     "",
     "cga-cli",
     "cga-eval",
@@ -14,6 +14,7 @@ const PACKAGES: [&str; 10] = [
     "cga-macros",
     "cga-picture",
     "cga-runtime",
+    "cga-source",
     "cga-split",
     "cga-street",
 ];

@@ -21,8 +21,8 @@ use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, 
 use cga::texture::{SetMap, UvMap};
 use cga::{
     Array, AssetError, Assets, Attribute, AttributeError, AttributeKind, Axis, Batch, Batches, Building, Channel,
-    ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, Flow, Frame,
-    Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
+    ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
+    Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
     RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef,
     ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
@@ -53,7 +53,7 @@ macro_rules! each {
 #[test]
 fn public_types_have_the_common_traits() {
     each!(data: Array<f64>, Attribute, AttributeKind, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
-    each!(data: Collection, Color, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
+    each!(data: Collection, Color, FileList, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
     each!(data: Axes, ColorOf, Cuboid, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);

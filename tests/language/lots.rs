@@ -219,7 +219,15 @@ fn lots_of_several_grammars() {
     let lots = [lot(), lot().grammar("House"), lot()];
     let error = city.generate_all(&lots, &Settings::default()).unwrap_err();
     assert_eq!(error.to_string(), "initial shape 1: attribute `height`: 99 is outside of 1 to 50");
-    // Another grammar of that name replaces it.
+    // Two grammars of one name are not confused.
+    let city = Grammars::new().with(House::default()).with(House { height: 12.0, ..House::default() });
+    for lot in [lot().named("9"), lot().named("9").grammar("House")] {
+        assert_eq!(
+            city.generate(&lot).unwrap_err().to_string(),
+            "lot `9`: the set has several grammars of the name `House`; add one of them with `with_named`"
+        );
+    }
+    // A name that is given replaces the grammar of that name.
     assert_eq!(Grammars::new().with(Park::default()).with_named("Park", House::default()).names().len(), 1);
 }
 

@@ -7,6 +7,8 @@ use std::time::{Duration, Instant};
 
 use cga::{Grammar, Live, LiveError, Shape, Value, ValueType, cga};
 
+mod inline;
+
 /// A folder with a copy of the rules that goes with its test.
 struct Folder(PathBuf);
 
@@ -46,11 +48,6 @@ const WALL: &str = include_str!("rules/parts/wall.cga");
 cga! {
     @Allow(unused_attribute)
     pub grammar Tower in "live/rules/tower.cga";
-}
-
-cga! {
-    grammar Inline;
-    Lot --> X.
 }
 
 fn lot() -> Shape {
@@ -173,8 +170,32 @@ fn the_package_is_the_folder_of_the_rules() {
 }
 
 #[test]
-fn rules_in_the_program_cannot_be_followed() {
-    let error = Live::new(Inline::default()).expect_err("no file");
-    assert_eq!(error, LiveError::NoRuleFile { grammar: "Inline".to_owned() });
-    assert!(error.to_string().contains("write `cga! { grammar Inline in \"rules.cga\"; }`"), "{error}");
+fn a_program_without_its_folder_says_so() {
+    let error = Live::in_folder(Tower::default(), "no/such/folder").expect_err("no folder");
+    assert_eq!(error.to_string(), "the rule files cannot be watched: there is no folder `no/such/folder`");
+}
+
+#[test]
+fn rules_without_a_name_cannot_be_followed() {
+    let height = 3.0;
+    let error = Live::new(cga! { Lot --> extrude(#height) X. }).expect_err("no name");
+    assert_eq!(error, LiveError::NoSource { grammar: String::new() });
+    assert!(error.to_string().contains("give the rules a name, as in `cga! { grammar Tower; … }`"), "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_behind_a_link_is_followed() {
+    let folder = Folder::new("link");
+    let wall = folder.0.join("live/rules/parts/wall.cga");
+    fs::remove_file(&wall).expect("a file");
+    fs::create_dir_all(folder.0.join("shared")).expect("a folder");
+    let shared = folder.0.join("shared/wall.cga");
+    fs::write(&shared, WALL).expect("a file");
+    std::os::unix::fs::symlink(&shared, &wall).expect("a link");
+    let mut live = Live::in_folder(Tower::default(), &folder.0).expect("a rule file");
+    live.set("lit", Value::Bool(true)).expect("an attribute");
+    fs::write(&shared, WALL.replace("Wall.", "Brick.")).expect("a file");
+    until(&mut live, Live::refresh);
+    assert_eq!(leaves(&live), (12, vec!["Brick".to_owned()]));
 }

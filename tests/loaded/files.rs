@@ -84,7 +84,7 @@ fn files_that_cannot_be_read_have_a_reason() {
     let missing = RuleFile::open("no/such/file.cga").expect_err("no file");
     assert!(missing.to_string().starts_with("cannot read `no/such/file.cga`: "), "{missing}");
     let folder: Result<RuleFile, RuleFileError> = RuleFile::open(root().join("tests"));
-    assert!(folder.expect_err("a folder").to_string().ends_with("it is not a regular file"));
+    assert!(folder.expect_err("a folder").to_string().ends_with("it is a folder; name a rule file in it"));
     // A path that leads out of the folder of the rules.
     let loader = RuleFile::loader().root(root().join("tests/rules/import"));
     let outside = loader.open("../house.cga").expect_err("outside");

@@ -11,20 +11,25 @@ mod tests;
 use std::io::{BufWriter, Result, Write};
 use std::time::Instant;
 
-use self::files::LoadedFiles;
 use self::printer::Printer;
 use crate::Status;
 use crate::options::CheckOptions;
 use crate::stream::say;
+use cga_source::RuleFiles;
 
 /// Checks files and folders.
 pub(crate) fn check(options: &CheckOptions, out: &mut dyn Write) -> Result<Status> {
     let out = &mut BufWriter::new(out);
     let start = Instant::now();
-    let mut files = match LoadedFiles::new(options.root.as_deref()) {
+    let files = RuleFiles::default();
+    let files = match &options.root {
+        Some(root) => files.inside(root),
+        None => Ok(files.with_disk()),
+    };
+    let mut files = match files {
         Ok(files) => files,
         Err(why) => {
-            say(format_args!("cannot read {why}"));
+            say(why);
             return Ok(Status::Unusable);
         }
     };
@@ -33,17 +38,17 @@ pub(crate) fn check(options: &CheckOptions, out: &mut dyn Write) -> Result<Statu
     for path in &list {
         match files.load(path) {
             Ok(number) => numbers.push(number),
-            Err(why) => unread.push(format!("{}: {why}", path.display())),
+            Err(why) => unread.push(why),
         }
     }
-    let mut printer = Printer::new(options, files.imported(&numbers));
+    let mut printer = Printer::new(options, files::imported(&mut files, &numbers));
     for number in numbers {
         printer.file(&mut files, number, out)?;
     }
     printer.totals(start.elapsed(), out)?;
     out.flush()?;
     for why in &unread {
-        say(format_args!("cannot read {why}"));
+        say(why);
     }
     Ok(match (unread.is_empty(), printer.has_failed()) {
         (false, _) => Status::Unusable,

@@ -1,13 +1,13 @@
 //! Findings and summaries of files.
 
 use super::count::count;
-use super::files::LoadedFiles;
 use super::format::{self, Format};
 use crate::options::CheckOptions;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
 use cga_lang::syntax::parse::parse;
+use cga_source::RuleFiles;
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, HashSet};
 use std::io::{Result, Write};
@@ -46,7 +46,7 @@ impl<'o> Printer<'o> {
     }
 
     /// Checks a file, and prints new findings and a summary.
-    pub(crate) fn file(&mut self, files: &mut LoadedFiles, number: usize, out: &mut dyn Write) -> Result<()> {
+    pub(crate) fn file(&mut self, files: &mut RuleFiles, number: usize, out: &mut dyn Write) -> Result<()> {
         let root = files.unit(number);
         let mut again = Diags::new();
         let counts = count(&parse(&root.tokens, &mut again));

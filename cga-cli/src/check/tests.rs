@@ -124,7 +124,7 @@ fn imports_and_links_stay_in_the_root() {
     };
     let (text, code) = checked(vec![rules.join("lot.cga")], Some(rules.clone()));
     assert_eq!(code, Status::Failed);
-    let why = "it is not a file in `FOLDER/rules`, and paths and links that lead out of this folder are not followed";
+    let why = "it is not a file in `FOLDER/rules`, and paths and links that lead out of it are not followed";
     for path in &imports[..4] {
         assert!(text.contains(&format!("cannot import `{path}`: {why}")), "{path}: {text}");
     }

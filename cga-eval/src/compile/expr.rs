@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{
-    Arg, Arm, Binary, Comp, EachUnary, Expr, ExprKind, Global, GlobalId, Grammar, Param, Selector, Type, Value,
+    Arg, Arm, Binary, Comp, EachUnary, Expr, ExprKind, Global, GlobalId, Grammar, HostId, Param, Selector, Type, Value,
 };
 use cga_lang::ops::ParamKind;
 use cga_runtime::rt::{self, Select, Text, func};
@@ -12,7 +12,7 @@ use cga_runtime::rt::{self, Select, Text, func};
 use super::arrays;
 use super::problems::Problems;
 use super::registered::Registered;
-use crate::code::{ArmsCode, Code, CompCode, HostCall, Instruction, NumberOperator, Sites, mode};
+use crate::code::{ArmsCode, Code, CompCode, HostCall, HostFunction, Instruction, NumberOperator, Sites, mode};
 use crate::dispatch::{self, FunctionCall};
 use crate::object::{constant, is_number};
 use crate::program::Slot;
@@ -67,6 +67,11 @@ impl Steps {
 
     fn call(&mut self, call: FunctionCall) {
         self.add(Instruction::Function(call));
+    }
+
+    /// Adds a value of Rust code.
+    fn host(&mut self, name: String, function: HostFunction, ty: Type) {
+        self.add(Instruction::Host(Box::new(HostCall { name, function, args: Box::default(), ty })));
     }
 
     /// Adds a jump whose end is not known yet.
@@ -148,7 +153,11 @@ impl Compiler<'_> {
                 steps.add(if is_number(expr.ty) { Instruction::LocalNumber(at) } else { Instruction::LocalObject(at) });
             }
             ExprKind::Global(id) => self.global(*id, steps),
-            ExprKind::Host(_) => self.problems.captured(expr.span),
+            ExprKind::Host(id) => {
+                let name = self.host_name(*id);
+                let function = self.registered.function(&name, &[], expr.ty);
+                self.rust_value(name, function, expr, steps);
+            }
             ExprKind::Call(id, sites, args) => {
                 self.parts(args, locals, steps);
                 steps.add(Instruction::Call(id.0, Sites::new(sites.iter().copied())));
@@ -167,10 +176,10 @@ impl Compiler<'_> {
             ExprKind::Rust(path, args) => {
                 self.parts(args, locals, steps);
                 let name = spelling(path);
-                let Some(function) = self.registered.functions.get(&name) else {
-                    return self.problems.unregistered(&name, "function", expr.span);
+                let Some(function) = self.registered.function(&name, args, expr.ty) else {
+                    return self.problems.unregistered(&name, "function", self.registered.is_live, expr.span);
                 };
-                let (function, args) = (function.clone(), args.iter().map(|arg| arg.ty).collect());
+                let args = args.iter().map(|arg| arg.ty).collect();
                 steps.add(Instruction::Host(Box::new(HostCall { name, function, args, ty: expr.ty })));
             }
             ExprKind::Shape(attr) => match dispatch::read(attr) {
@@ -245,6 +254,9 @@ impl Compiler<'_> {
                 steps.add(if name.ty.is_array() { Instruction::Files(folder) } else { Instruction::File(folder) });
             }
             ExprKind::ToText(inner) => {
+                if let ExprKind::Host(id) = inner.kind {
+                    return self.shown_value(id, expr, steps);
+                }
                 self.expr(inner, locals, steps);
                 if let Some(call) = arrays::to_text(inner.ty) {
                     steps.call(call);
@@ -254,6 +266,26 @@ impl Compiler<'_> {
             ExprKind::Chance { percent, before } => {
                 steps.add(Instruction::Chance { percent: *percent, before: *before });
             }
+        }
+    }
+
+    /// A Rust value in the rules, as `#` and the expression.
+    fn host_name(&self, id: HostId) -> String {
+        let handle = self.grammar.hosts[id.0 as usize].handle;
+        self.registered.values.get(handle as usize).cloned().unwrap_or_default()
+    }
+
+    /// A Rust value that is joined with text.
+    fn shown_value(&self, id: HostId, expr: &Expr, steps: &mut Steps) {
+        let name = self.host_name(id);
+        let function = self.registered.shown(&name);
+        self.rust_value(name, function, expr, steps);
+    }
+
+    fn rust_value(&self, name: String, function: Option<HostFunction>, expr: &Expr, steps: &mut Steps) {
+        match function {
+            Some(function) => steps.host(name, function, expr.ty),
+            None => self.problems.captured(&name, expr.ty, expr.span),
         }
     }
 

@@ -2,20 +2,28 @@
 
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Diags};
+use cga_lang::ir::Type;
 use cga_lang::span::Span;
 use std::cell::RefCell;
+
+use crate::object::nothing;
 
 /// The errors so far.
 #[derive(Debug, Default)]
 pub(crate) struct Problems(RefCell<Vec<Diag>>);
 
 impl Problems {
-    /// A Rust function that the host program has not registered.
-    pub(super) fn unregistered(&self, path: &str, kind: &str, span: Span) {
+    /// A Rust function that the host program has not registered. `is_compiled` is true for rules that a program was built with.
+    pub(super) fn unregistered(&self, path: &str, kind: &str, is_compiled: bool, span: Span) {
         let mut diags = Diags::new();
         let message = format!("the Rust {kind} `{path}` is not registered, so rules that are loaded cannot call it");
         let help = format!("register it with `with_{kind}(\"{path}\", …)` before the rules are loaded");
-        diags.report(Code::UnknownFunction, span, message).help(help);
+        let diag = diags.report(Code::UnknownFunction, span, message).help(help);
+        if is_compiled {
+            diag.help(
+                "or build the program again: it calls the functions of its rules with the types that they had then",
+            );
+        }
         self.0.borrow_mut().extend(diags.finish());
     }
 
@@ -28,12 +36,12 @@ impl Problems {
         self.0.borrow_mut().extend(diags.finish());
     }
 
-    /// A value of Rust code, which only rules in Rust code can name.
-    pub(super) fn captured(&self, span: Span) {
+    /// A value of Rust code that was not compiled with the rules, or as another type.
+    pub(super) fn captured(&self, name: &str, ty: Type, span: Span) {
         let mut diags = Diags::new();
-        diags
-            .report(Code::UnknownName, span, "a value of Rust code is only known where rules are compiled")
-            .help("make it an attribute, and set the attribute");
+        let ty = nothing(ty).ty();
+        let message = format!("the program was built without the Rust value `{name}` as {ty}");
+        diags.report(Code::UnknownName, span, message).help("build the program again, or make it an attribute");
         self.0.borrow_mut().extend(diags.finish());
     }
 

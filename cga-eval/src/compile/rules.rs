@@ -144,12 +144,12 @@ impl Compiler<'_> {
             }
             StepKind::Rust(path, args) => {
                 let name = spelling(path);
-                let Some(operation) = self.registered.operations.get(&name) else {
-                    self.problems.unregistered(&name, "operation", step.span);
+                let Some(operation) = self.registered.operation(&name, args) else {
+                    self.problems.unregistered(&name, "operation", self.registered.is_live, step.span);
                     return None;
                 };
                 let types = args.iter().map(|arg| arg.ty).collect();
-                let operation = HostStep(operation.clone());
+                let operation = HostStep(operation);
                 Some(WholeStep::Host { args: self.code(args, at.locals), types, operation })
             }
             _ => None,

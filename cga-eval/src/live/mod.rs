@@ -1,11 +1,9 @@
-//! Compiled grammars that follow their rule files while the program runs.
-
-mod watcher;
+//! Compiled grammars that follow their rules while the program runs.
 
 use std::collections::BTreeSet;
 use std::fmt;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cga_runtime::fault::Error;
 use cga_runtime::grammar::attribute::Attribute;
@@ -20,13 +18,16 @@ use cga_runtime::run::start_rule::StartRule;
 use crate::error::RuleFileError;
 use crate::rule_file::RuleFile;
 use crate::rule_loader::RuleLoader;
-use watcher::Watcher;
+use crate::watch::FileWatcher;
 
-/// A grammar whose rule file is loaded again when it changes.
+/// The most times that rules are loaded after one change. Files in folders that were not watched before may have changed meanwhile.
+const MOST_LOADS: usize = 4;
+
+/// A grammar whose rules are loaded again when their file changes: a rule file, or the Rust file with the macro.
 ///
 /// Until the first change the compiled rules run, and then the loaded ones, with the same bytes. Attributes keep the values that were set,
-/// by name. With a mistake in the rules the last good ones stay. Rust functions in rules must be [registered](Live::with_loader); new
-/// attributes have no field in the struct that `cga!` makes, so programs set them by name.
+/// by name. With a mistake in the rules the last good ones stay. Rust values and functions in rules are the compiled ones; others need a
+/// build, or are [registered](Live::with_loader). New attributes have no field in the struct that `cga!` makes, so programs set them by name.
 ///
 /// ```no_run
 /// # fn run<Tower: cga_runtime::grammar::Grammar + Clone + Default + Send + Sync + 'static>() -> Result<(), Box<dyn std::error::Error>> {
@@ -34,7 +35,7 @@ use watcher::Watcher;
 /// use cga_runtime::grammar::Grammar;
 /// use cga_runtime::shape::Shape;
 ///
-/// // `cga! { pub grammar Tower in "rules/tower.cga"; }`
+/// // `cga! { pub grammar Tower; Lot --> … }`
 /// let mut tower = Live::new(Tower::default())?;
 /// loop {
 ///     tower.generate(&Shape::rectangle(20.0, 15.0))?;
@@ -47,7 +48,7 @@ pub struct Live {
     current: Box<dyn Grammar + Send + Sync>,
     source: RuleSource,
     loader: RuleLoader,
-    watcher: Watcher,
+    watcher: FileWatcher,
     error: Option<RuleFileError>,
     /// The names of attributes that the program has set after it began to follow the rules.
     set: BTreeSet<String>,
@@ -63,8 +64,8 @@ impl fmt::Debug for Live {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LiveError {
-    /// The rules are inline or in a string, or the feature `live` was off when they were compiled.
-    NoRuleFile {
+    /// The rules have no name or are outside of their package, or the feature `live` was off when they were compiled.
+    NoSource {
         /// The name of the grammar.
         grammar: String,
     },
@@ -75,10 +76,10 @@ pub enum LiveError {
 impl fmt::Display for LiveError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            LiveError::NoRuleFile { grammar } => write!(
+            LiveError::NoSource { grammar } => write!(
                 f,
-                "the rules of `{grammar}` are not in a file that can be followed: write `cga! {{ grammar {grammar} in \"rules.cga\"; }}`, \
-                 and switch the feature `live` of the package `cga` on"
+                "the source of the rules of `{grammar}` is not known: give the rules a name, as in `cga! {{ grammar Tower; … }}`, in a file \
+                 of the package, and switch the feature `live` of the package `cga` on"
             ),
             LiveError::Watch(why) => write!(f, "the rule files cannot be watched: {why}"),
         }
@@ -88,16 +89,16 @@ impl fmt::Display for LiveError {
 impl std::error::Error for LiveError {}
 
 impl Live {
-    /// Follows the rule file of a compiled grammar, `cga! { grammar Tower in "rules/tower.cga"; }`, in the folder of its package.
+    /// Follows the rules of a compiled grammar, in the folder of its package.
     ///
     /// # Errors
-    /// The grammar has no rule file, or the system cannot watch it.
+    /// The file with the rules is not known, or the system cannot watch it.
     pub fn new(grammar: impl Grammar + Send + Sync + 'static) -> Result<Self, LiveError> {
         let source = source(&grammar)?;
         Live::from_source(grammar, source, Path::new(source.folder))
     }
 
-    /// Follows a copy of the rule file in another folder, for programs that have their rules beside them. The path of the file from `folder` is
+    /// Follows a copy of the rules in another folder, for programs that have their rules beside them. The path of the file from `folder` is
     /// its path from the folder of the package. The compiled rules run until a file changes there.
     ///
     /// # Errors
@@ -115,7 +116,10 @@ impl Live {
         source: RuleSource,
         folder: &Path,
     ) -> Result<Self, LiveError> {
-        let mut loader = RuleLoader::new().named(source.name).root(folder);
+        if !folder.is_dir() {
+            return Err(LiveError::Watch(format!("there is no folder `{}`", folder.display())));
+        }
+        let mut loader = RuleLoader::new().named(source.name).root(folder).with_compiled(source.calls);
         for &(code, level) in source.levels {
             loader = match level {
                 "deny" => loader.deny(code),
@@ -123,7 +127,9 @@ impl Live {
                 _ => loader.allow(code),
             };
         }
-        let watcher = Watcher::new(folder, source.path).map_err(LiveError::Watch)?;
+        let mut watcher = FileWatcher::new().map_err(LiveError::Watch)?;
+        let files: Vec<PathBuf> = source.files.iter().map(|file| folder.join(file)).collect();
+        watcher.follow_files(files.iter().map(PathBuf::as_path)).map_err(LiveError::Watch)?;
         Ok(Live { current: Box::new(grammar), source, loader, watcher, error: None, set: BTreeSet::new() })
     }
 
@@ -152,7 +158,7 @@ impl Live {
     }
 
     fn load(&mut self) -> bool {
-        match self.loader.open(self.source.path) {
+        match self.read() {
             Ok(rules) => {
                 self.take(rules);
                 true
@@ -165,18 +171,31 @@ impl Live {
         }
     }
 
+    /// Loads the rules, and watches the files that they are in.
+    fn read(&mut self) -> Result<RuleFile, RuleFileError> {
+        let mut left = MOST_LOADS;
+        loop {
+            let RuleSource { path, name, is_rust, .. } = self.source;
+            let loaded = if is_rust { self.loader.open_rust(path, name) } else { self.loader.open(path) };
+            let files = loaded.as_ref().map_or_else(RuleFileError::files, RuleFile::files);
+            left -= 1;
+            match self.watcher.follow(files) {
+                Ok(true) if left != 0 => {}
+                Ok(_) => return loaded,
+                Err(why) => {
+                    say(why);
+                    return loaded;
+                }
+            }
+        }
+    }
+
     /// Runs other rules. Attributes keep the values that were set; values that the new rules refuse are dropped, with a line on standard
     /// error.
     fn take(&mut self, mut rules: RuleFile) {
-        for (index, attribute) in self.current.attributes().iter().enumerate() {
-            let value = self.current.attribute_get(index);
-            if value == attribute.default && !self.set.contains(attribute.name.as_str()) {
-                continue;
-            }
-            if let Some(Err(error)) = value.map(|value| rules.set(&attribute.name, value)) {
-                say(format_args!("the value of `{}` is dropped: {error}", attribute.name));
-                self.set.remove(attribute.name.as_str());
-            }
+        for (name, error) in rules.take_some_values(&*self.current, &|name| self.set.contains(name)) {
+            say(format_args!("the value of `{name}` is dropped: {error}"));
+            self.set.remove(name.as_str());
         }
         self.current = Box::new(rules);
         self.error = None;
@@ -188,9 +207,9 @@ fn say(line: impl fmt::Display) {
     let _ = writeln!(std::io::stderr().lock(), "{line}");
 }
 
-/// The rule file of a compiled grammar.
+/// The rules of a compiled grammar.
 fn source(grammar: &dyn Grammar) -> Result<RuleSource, LiveError> {
-    grammar.rule_source().ok_or_else(|| LiveError::NoRuleFile { grammar: grammar.name().to_owned() })
+    grammar.rule_source().ok_or_else(|| LiveError::NoSource { grammar: grammar.name().to_owned() })
 }
 
 impl Grammar for Live {

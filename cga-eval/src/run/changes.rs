@@ -7,6 +7,7 @@ use cga_runtime::shape::scope::Scope;
 
 use super::values::Values;
 use crate::call::Call;
+use crate::code::HostOperation;
 use crate::current::Current;
 use crate::stack::Frame;
 use crate::steps::{MaterialStep, OperandsStep, SlimStep, TargetCode, WholeStep};
@@ -125,7 +126,12 @@ impl Values {
                 self.run(stack, env, &mut Current::Whole(shape), args, frame);
                 let mut values: Vec<rt::Value> = types.iter().rev().map(|ty| stack.value(*ty)).collect();
                 values.reverse();
-                host::operate(env, shape, |shape| (operation.0)(shape, &values));
+                match &operation.0 {
+                    HostOperation::Registered(operation) => {
+                        host::operate(env, shape, |shape| operation(shape, &values))
+                    }
+                    HostOperation::Compiled(operation) => operation(env, shape, &values),
+                }
             }
         }
         ControlFlow::Continue(())

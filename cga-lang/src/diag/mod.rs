@@ -59,6 +59,18 @@ impl Diag {
         self.notes.iter().cloned().chain(self.basis.notes())
     }
 
+    /// The diagnostic in the spelling of a source: with its sign of relative sizes.
+    pub fn spelled(&self, relative: char) -> Diag {
+        let spelled = |line: &Line| Line::from(line.spelled(relative));
+        let note = |note: &Note| Note { text: spelled(&note.text), related: note.related };
+        Diag {
+            message: spelled(&self.message),
+            notes: self.notes.iter().map(note).collect(),
+            help: self.help.iter().map(spelled).collect(),
+            ..self.clone()
+        }
+    }
+
     /// Adds a reason.
     pub fn note(&mut self, text: impl Into<Line>) -> &mut Self {
         self.notes.push(Note { text: text.into(), related: None });

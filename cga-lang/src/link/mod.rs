@@ -27,7 +27,7 @@ use std::rc::Rc;
 pub use asset::Asset;
 pub(crate) use asset::Assets;
 pub(crate) use instantiate::{Instantiations, Types, Wanted};
-pub use paths::{candidates, folder, stray_character};
+pub use paths::{candidates, folder, normal, stray_character};
 pub(crate) use style::Styles;
 
 /// The maximum number of instances in a program. Files that import each other twice on each level would create

@@ -71,17 +71,21 @@ pub(super) fn like(path: &str, names: &[String]) -> Option<String> {
     Some(format!("{folder}{near}{ENDING}"))
 }
 
-/// The path without `.` and without `..` where possible.
-fn normal(path: &str) -> String {
+/// The path of a file with `/`, without `.` and without `..` where possible.
+///
+/// ```
+/// assert_eq!(cga_lang::link::normal("./lib\\..//a.cga"), "a.cga");
+/// ```
+pub fn normal(path: &str) -> String {
     let mut parts: Vec<&str> = Vec::new();
-    for part in path.split('/') {
+    for part in path.split(['/', '\\']) {
         match part {
             "" | "." => {}
             ".." if parts.last().is_some_and(|last| *last != "..") => _ = parts.pop(),
             part => parts.push(part),
         }
     }
-    format!("{}{}", if path.starts_with('/') { "/" } else { "" }, parts.join("/"))
+    format!("{}{}", if path.starts_with(['/', '\\']) { "/" } else { "" }, parts.join("/"))
 }
 
 #[cfg(test)]

@@ -63,7 +63,7 @@ fn headline(diag: &Diag) -> String {
 pub fn place(quote: Quote<'_>, span: Span, diag: &Diag, related: &dyn Fn(Span) -> Option<String>) -> String {
     let (text, bytes) = (quote.lines.text(), quote.bytes(span));
     let at = quote.lines.position(bytes.start);
-    let line = line_at(text, bytes.start);
+    let line = quote.lines.line(bytes.start);
     let margin = " ".repeat(at.line.to_string().len());
     let (before, marked, after) = split_line(text, &line, &bytes);
     let before = clip_front(before);
@@ -97,18 +97,6 @@ pub fn bytes(text: &str, ranges: &[Range<usize>], span: Span) -> Range<usize> {
 /// The nearest character boundary at or before a byte.
 fn border(text: &str, byte: usize) -> usize {
     (0..=byte.min(text.len())).rev().find(|&byte| text.is_char_boundary(byte)).unwrap_or(0)
-}
-
-/// The line of a byte, without its end.
-fn line_at(text: &str, byte: usize) -> Range<usize> {
-    let start = line_start(text, byte);
-    let start = if text[start..].starts_with('\u{feff}') { start + '\u{feff}'.len_utf8() } else { start };
-    let end = text[start..].find(['\n', '\r']).map_or(text.len(), |end| start + end);
-    start..end
-}
-
-fn line_start(text: &str, byte: usize) -> usize {
-    text[..byte].rfind(['\n', '\r']).map_or(0, |end| end + 1)
 }
 
 /// The parts of the line before, inside and after `bytes`.
@@ -145,6 +133,10 @@ fn blank(text: &str) -> String {
 mod tests {
     use super::{Lines, Quote, render};
     use crate::compile::compile_text;
+    use crate::diag::Diags;
+    use crate::diag::code::Code;
+    use crate::span::Span;
+    use crate::syntax::lex::lex;
 
     fn shown(text: &str) -> String {
         let source = compile_text(text);
@@ -179,6 +171,22 @@ mod tests {
             "error[duplicate_name]: rule `A` is declared twice\n --> a.cga:3:1\n  |\n3 | A --> NIL\n  | ^\n  = note: \
              first declared in line 1"
         );
+    }
+
+    #[test]
+    fn thousands_of_findings_in_one_long_line_are_shown() {
+        // With a search of the line for each finding, this took as many steps as the square of the length.
+        let rules = "Lot --> Wäll ".repeat(60_000);
+        let lexed = lex(&rules);
+        let lines = Lines::new(&rules);
+        let quote = Quote { name: "a.cga", lines: &lines, ranges: &lexed.ranges };
+        let mut diags = Diags::new();
+        for number in 0..5_000 {
+            diags.report(Code::UndefinedRule, Span::one(3 * number + 2), format!("there is no rule {number}"));
+        }
+        let shown: Vec<String> = diags.finish().iter().map(|diag| render(quote, diag)).collect();
+        assert!(shown[4_999].contains(" --> a.cga:1:64983\n") && shown[4_999].contains("\n1 | …"), "{}", shown[4_999]);
+        assert!(shown.iter().all(|text| text.contains(" --> a.cga:1:") && text.len() < 1000));
     }
 
     #[test]

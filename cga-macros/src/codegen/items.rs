@@ -2,10 +2,9 @@
 
 use std::collections::HashMap;
 
-#[cfg(feature = "live")]
-use cga_lang::diag::Level;
 use cga_lang::ir::walk;
 use cga_lang::ir::{ExprKind, Global, GlobalId, RuleId, Type};
+use cga_source::rust::Header;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
 use super::access::Access;
@@ -14,8 +13,6 @@ use super::fields::AttrField;
 use super::public::captured;
 use super::rule::given;
 use super::{Generator, attribute_table, fields, hygienic, inner_type, local, site, types};
-use crate::header::Header;
-use crate::source::Source;
 
 /// Attributes and constants of one run, and captured values.
 pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
@@ -123,7 +120,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
     let captured = captured.map(|name| code!(g.#name = ::core::clone::Clone::clone(&self.#name);));
     let attribute_names = fields.iter().map(|field| &field.global.name);
     let table = fields.iter().map(|field| attribute_table::attribute(field, cx.grammar));
-    let source = rule_source(cx.source, header);
+    let source = cx.rule_source(header);
     let about = &cx.grammar.about;
     let about = (!about.is_empty()).then(|| {
         code! {
@@ -272,39 +269,6 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
             }
         }
     }
-}
-
-/// The method that names the rule file of a grammar, for programs that load it again.
-#[cfg(feature = "live")]
-fn rule_source(source: &Source, header: &Header) -> TokenStream {
-    let (Some(path), name) = (source.file(), header.label()) else { return TokenStream::new() };
-    let levels = header.levels.iter().map(|(code, level)| {
-        let (code, level) = (
-            code.name(),
-            match level {
-                Level::Allow => "allow",
-                Level::Warning => "warn",
-                Level::Error => "deny",
-            },
-        );
-        code!((#code, #level))
-    });
-    code! {
-        fn rule_source(&self) -> ::core::option::Option<cga_rt::RuleSource> {
-            ::core::option::Option::Some(cga_rt::RuleSource {
-                folder: ::core::env!("CARGO_MANIFEST_DIR"),
-                path: #path,
-                name: #name,
-                levels: &[#(#levels),*],
-            })
-        }
-    }
-}
-
-/// Without the feature `live`, grammars do not know where they come from.
-#[cfg(not(feature = "live"))]
-fn rule_source(_: &Source, _: &Header) -> TokenStream {
-    TokenStream::new()
 }
 
 /// The value of an attribute in a run; `None` if the style does not have it.

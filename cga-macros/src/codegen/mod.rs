@@ -18,6 +18,8 @@ mod operands;
 mod operation;
 mod public;
 mod rule;
+#[cfg(feature = "live")]
+mod rule_source;
 mod sections;
 mod site;
 mod split;
@@ -30,9 +32,9 @@ use cga_lang::ir::facts::LeftShapes;
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
 use cga_lang::ops::Run;
+use cga_source::rust::Header;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
-use crate::header::Header;
 use crate::location;
 use crate::output::{HostType, Output};
 use crate::source::Source;
@@ -147,6 +149,12 @@ fn inner_type(ty: Type) -> TokenStream {
 }
 
 impl Generator<'_> {
+    /// Without the feature `live`, grammars do not know where they come from.
+    #[cfg(not(feature = "live"))]
+    fn rule_source(&self, _: &Header) -> TokenStream {
+        TokenStream::new()
+    }
+
     /// Writes code at the location of its rules. Rules of a string or a file have the location of the literal.
     fn at<T>(&self, span: cga_lang::span::Span, write: impl FnOnce() -> T) -> T {
         location::at(self.source.token(span.first), write)

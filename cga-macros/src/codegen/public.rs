@@ -2,12 +2,12 @@
 
 use cga_lang::editor::public_names::PublicName;
 use cga_lang::ir::{AttrInfo, Global, Range, Type, Value};
+use cga_source::rust::Header;
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::fields::AttrField;
 use super::names::{Taken, ident};
 use super::{local, types};
-use crate::header::Header;
 use crate::output::{HostType, capture};
 use crate::source::Source;
 

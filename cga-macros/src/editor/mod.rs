@@ -13,10 +13,10 @@ mod scopes;
 mod words;
 
 use cga_lang::compile::Compiled;
+use cga_source::rust::Header;
 use proc_macro2::TokenStream;
 
 use crate::codegen::PublicAttr;
-use crate::header::Header;
 use crate::input::Input;
 use crate::source::Source;
 use crate::{output, report, stub};

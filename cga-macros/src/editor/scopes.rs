@@ -6,11 +6,11 @@ use cga_lang::editor::index::{NameKind, Named};
 use cga_lang::editor::outline::{Part, PartKind, Word, outline};
 use cga_lang::ir::Type;
 use cga_lang::ops::{functions, operations};
+use cga_source::rust::Header;
 use proc_macro2::{Ident, Span, TokenStream};
 use std::collections::{HashMap, HashSet};
 
 use crate::codegen::{PublicAttr, is_plain};
-use crate::header::Header;
 use crate::source::Source;
 
 /// The names of a file.

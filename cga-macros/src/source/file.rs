@@ -5,13 +5,11 @@ use std::path::{Component, Path};
 
 use cga_lang::link::stray_character;
 use cga_lang::syntax::lex::lex;
+use cga_source::rust::{Problem, QuotedText, TextTokens, value};
 use proc_macro2::Literal;
 
-use super::content::value;
-use super::literal::source;
-use super::quoted::{QuotedText, text, tracking};
+use super::package::{text, tracking};
 use super::rules::Source;
-use crate::problem::Problem;
 
 pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     let span = literal.span();
@@ -29,8 +27,9 @@ pub(super) fn read(literal: &Literal) -> Result<Source, Problem> {
     // A build that has failed is done again anyway, so nothing has to be tracked here.
     let text = text(Path::new(&folder), &path).map_err(|error| problem(unreadable(&path, &error)))?;
     let lexed = lex(&text);
-    let place = QuotedText { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
-    Ok(source(lexed.tokens, lexed.diags, span, place, tracking(literal)))
+    let quoted = QuotedText { name: path.replace('\\', "/"), written: text, ranges: lexed.ranges };
+    let tokens = TextTokens { tokens: lexed.tokens, found: lexed.diags, span, quoted };
+    Ok(Source::text(tokens, tracking(literal)))
 }
 
 /// The message about a rule file that cannot be read.
@@ -95,7 +94,7 @@ mod tests {
         symlink("rules/lot.cga", package.join("inside.cga")).unwrap();
         let message = |path: &str| unreadable(path, &text(&package, path).expect_err(path));
         for path in ["file.cga", "folder/secret.cga", "folder", "folder/package/../secret.cga"] {
-            let why = "a link leads out of the package, and files outside are not read";
+            let why = "it is not a file in the package, and paths and links that lead out of it are not followed";
             assert_eq!(message(path), format!("`{path}` cannot be read: {why}"));
         }
         assert!(message("rules").contains("is a folder"));

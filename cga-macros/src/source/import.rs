@@ -6,9 +6,10 @@ use std::path::{Path, PathBuf};
 use cga_lang::compile::Dialect;
 use cga_lang::link::{Asset, Files, Unit, candidates, folder};
 use cga_lang::syntax::lex::lex;
+use cga_source::rust::QuotedText;
 use proc_macro2::{Literal, TokenStream};
 
-use super::quoted::{QuotedText, resolved, text, tracking};
+use super::package::{resolved, text, tracking};
 
 /// Larger meshes are there, and no more is known of them.
 const LARGEST_MESH: u64 = 1 << 26;
@@ -150,7 +151,7 @@ mod tests {
         symlink(&root, package.join("folder")).unwrap();
         symlink("wall.cga", package.join("inside.cga")).unwrap();
         let mut files = Imports { root: package, opened: Vec::new(), listed: HashMap::new() };
-        let why = "a link leads out of the package, and files outside are not read";
+        let why = "it is not a file in the package, and paths and links that lead out of it are not followed";
         for path in ["file.cga", "folder/secret.cga"] {
             assert_eq!(files.open(path, "lot.cga").unwrap_err(), why);
         }

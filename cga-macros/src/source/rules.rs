@@ -1,12 +1,14 @@
 //! The rules of one macro call as tokens, and where each token is.
 
 use super::import::{self, Imported};
-use super::quoted::QuotedText;
 use cga_lang::compile::{Compiled, Dialect};
 use cga_lang::diag::Diag;
 use cga_lang::link::Unit;
 use cga_lang::span;
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
+#[cfg(feature = "live")]
+use cga_source::rust::Header;
+use cga_source::rust::{Host, InlineTokens, QuotedText, TextTokens};
 use proc_macro2::{Span, TokenStream};
 
 /// Rules as tokens, and what it takes to speak about them.
@@ -14,25 +16,17 @@ pub(crate) struct Source {
     pub(crate) tokens: Tokens,
     /// The diagnostics of reading the tokens.
     pub(crate) findings: Vec<Diag>,
-    pub(super) hosts: Vec<Host>,
-    pub(super) places: TokenPlaces,
+    hosts: Vec<Host>,
+    places: TokenPlaces,
     /// Imported files.
-    pub(super) imported: Vec<Imported>,
+    imported: Vec<Imported>,
     /// The files of the program: the first of the tokens that spans count, and the number in `imported`; `None` for the
     /// rules themselves.
-    pub(super) files: Vec<(u32, Option<usize>)>,
-}
-
-/// A Rust value in the rules: `#name` or `#(…)`.
-pub(crate) struct Host {
-    /// The expression.
-    pub(crate) expr: TokenStream,
-    /// Its place, without the `#`.
-    pub(crate) span: Span,
+    files: Vec<(u32, Option<usize>)>,
 }
 
 /// The places of the tokens.
-pub(super) enum TokenPlaces {
+enum TokenPlaces {
     /// Inline: each token begins and ends somewhere, and a path has its own tokens.
     Inline { spans: Vec<(Span, Span)>, paths: Vec<(u32, TokenStream)>, end: Span },
     /// In a string or a file: every token has the place of the literal, and diagnostics quote the text.
@@ -40,6 +34,22 @@ pub(super) enum TokenPlaces {
 }
 
 impl Source {
+    /// Rules inline in Rust. `end` is the place of diagnostics if there are no tokens.
+    pub(crate) fn inline(rules: InlineTokens, end: Span) -> Self {
+        let InlineTokens { tokens, found, spans, paths, hosts } = rules;
+        Source::new(tokens, found, hosts, TokenPlaces::Inline { spans, paths, end })
+    }
+
+    /// Rules in text. `tracking` makes the build follow their file.
+    pub(super) fn text(rules: TextTokens, tracking: TokenStream) -> Self {
+        let TextTokens { tokens, found, span, quoted } = rules;
+        Source::new(tokens, found, Vec::new(), TokenPlaces::Text { span, text: quoted, tracking })
+    }
+
+    fn new(tokens: Tokens, findings: Vec<Diag>, hosts: Vec<Host>, places: TokenPlaces) -> Self {
+        Source { tokens, findings, hosts, places, imported: Vec::new(), files: Vec::new() }
+    }
+
     /// Returns true for rules inline in Rust.
     pub(crate) fn is_inline(&self) -> bool {
         matches!(self.places, TokenPlaces::Inline { .. })
@@ -60,10 +70,19 @@ impl Source {
         Unit { name, tokens: self.tokens.clone(), dialect, found: self.findings.clone() }
     }
 
-    /// The path of the rule file, from the package's folder; `None` for rules inline or in a string.
+    /// The path of the file with the rules from the package's folder, and true if it is a Rust file. `None` for rules without a name, and
+    /// where the file is not known.
     #[cfg(feature = "live")]
-    pub(crate) fn file(&self) -> Option<String> {
-        Some(self.unit().name).filter(|name| !name.is_empty())
+    pub(crate) fn origin(&self, header: &Header) -> Option<(String, bool)> {
+        let name = header.name.as_ref()?;
+        let file = self.unit().name;
+        if file.is_empty() { Some((super::package::rust_file(name.span())?, true)) } else { Some((file, false)) }
+    }
+
+    /// The paths of the imported files from the package's folder.
+    #[cfg(feature = "live")]
+    pub(crate) fn imported(&self) -> impl Iterator<Item = &str> {
+        self.imported.iter().map(|file| file.text.name.as_str())
     }
 
     /// Takes over what was imported.
@@ -90,7 +109,7 @@ impl Source {
     }
 
     /// The text that contains a token, and the token's number in it; `None` for inline rules.
-    pub(crate) fn text(&self, token: u32) -> Option<(&QuotedText, u32)> {
+    pub(crate) fn text_of(&self, token: u32) -> Option<(&QuotedText, u32)> {
         match (self.locate(token), &self.places) {
             ((Some(Imported { text, .. }), token), _) | ((None, token), TokenPlaces::Text { text, .. }) => {
                 Some((text, token))
@@ -134,7 +153,7 @@ impl Source {
 
     /// The line of a token, for messages that name a second place: "line 3", "line 3 of lib.cga".
     pub(crate) fn line(&self, index: u32) -> Option<String> {
-        if let Some((text, token)) = self.text(index) {
+        if let Some((text, token)) = self.text_of(index) {
             let range = text.ranges.get(token as usize)?;
             let line = 1 + text.written.get(..range.start)?.matches('\n').count();
             let imported = self.locate(index).0.is_some();

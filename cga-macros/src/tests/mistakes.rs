@@ -19,9 +19,10 @@ use cga_lang::diag::Diag;
 use cga_lang::link::{Files, Unit};
 use cga_lang::snippet::bytes;
 use cga_lang::syntax::lex::lex;
+use cga_source::rust::read_inline;
 use proc_macro2::{Span, TokenStream};
 
-use crate::source::tokens::read;
+use crate::source::Source;
 
 /// The number of mistakes that must have a good diagnostic.
 const LEAST: usize = 40;
@@ -94,7 +95,7 @@ fn mistake(block: &str) -> Mistake {
 /// The first diagnostic of inline rules, with the bytes that it underlines.
 fn first_inline(rules: &str) -> Option<(Diag, Range<usize>)> {
     let stream: TokenStream = rules.parse().expect("Rust tokens");
-    let source = read(stream, Span::call_site());
+    let source = Source::inline(read_inline(stream), Span::call_site());
     let diag = compile(source.unit(), &mut Library, &[]).diags.into_iter().next()?;
     let (first, last) = source.span(diag.span);
     // Spans count characters of the text of their own parse, which are bytes here.

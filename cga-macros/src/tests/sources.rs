@@ -11,9 +11,8 @@ use cga_lang::link::{Files, Unit, candidates};
 use cga_lang::syntax::lex::lex;
 use cga_lang::syntax::parse::parse;
 use cga_lang::syntax::token::Tokens;
-use proc_macro2::{Span, TokenStream};
-
-use crate::source::tokens::read;
+use cga_source::rust::read_inline;
+use proc_macro2::TokenStream;
 
 /// Every rule file of the language's tests and of the facade's.
 fn corpus() -> Vec<PathBuf> {
@@ -82,8 +81,8 @@ fn both_sources_mean_the_same_over_a_corpus() {
         let (verbatim, inline) = (print(&ast, Spelling::Text), print(&ast, Spelling::Inline));
         let stream: TokenStream =
             inline.parse().unwrap_or_else(|error| panic!("{}: {error}\n{inline}", path.display()));
-        let source = read(stream, Span::call_site());
-        assert_eq!(source.findings, [], "{}", path.display());
+        let source = read_inline(stream);
+        assert_eq!(source.found, [], "{}", path.display());
         let (text, tokens) = (meaning(&lex(&verbatim).tokens, &path), meaning(&source.tokens, &path));
         assert!(text == tokens, "{}\n{inline}\n--- text\n{text}\n--- tokens\n{tokens}", path.display());
         compared += 1;
@@ -97,7 +96,7 @@ fn both_sources_read_the_same_tokens() {
         A(a) --> case a>1:[s('1,~2,\"\\\"\")]X. else:split(x){'a:A(1)|{~1:NIL}*|2:crate::b::c(3)X.} 30% : A else : B
         Lot --> [ t(0,-1,0) ] comp(f){side:A=B|top=C.}";
     let inline = text.replace("'1", "^1");
-    let source = read(inline.parse().expect("Rust tokens"), Span::call_site());
+    let source = read_inline(inline.parse().expect("Rust tokens"));
     assert_eq!(source.tokens, lex(text).tokens);
 }
 
@@ -112,7 +111,7 @@ fn dots_mean_the_same_wherever_they_stand() {
         "a$b a$1 a$ b a$$c$2d a$1. a$b. a$b$2. B",
         "lib.start lib(h=3,Roof-->X).Lot(1) start(20)",
     ] {
-        let source = read(text.parse().expect("Rust tokens"), Span::call_site());
+        let source = read_inline(text.parse().expect("Rust tokens"));
         assert_eq!(source.tokens, lex(text).tokens, "{text}");
     }
 }
@@ -121,6 +120,6 @@ fn dots_mean_the_same_wherever_they_stand() {
 fn symbols_stay_whole_in_tokens_that_a_macro_took_apart() {
     // `macro_rules!` hands `-->` on as `-` and `->`.
     let stream: TokenStream = "A - -> B. C --> D.".parse().expect("Rust tokens");
-    let source = read(stream, Span::call_site());
+    let source = read_inline(stream);
     assert_eq!(source.tokens, lex("A --> B. C --> D.").tokens);
 }

@@ -8,10 +8,10 @@ use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::link::Files;
+use cga_source::rust::{RulesText, read_header};
 use proc_macro2::{TokenStream, TokenTree};
 
 use super::sources::{Below, root};
-use crate::header::{self, RulesText};
 
 /// Mistakes that Rust's lexer rejects before a macro runs.
 const NO_RUST: [&str; 3] = ["missing_brace", "quote_before_bracket", "quote_before_digits"];
@@ -64,7 +64,7 @@ fn grammars(stream: TokenStream) -> Vec<TokenStream> {
 
 /// The findings of a grammar that are shown; none for a source that cannot be opened.
 fn found(input: TokenStream) -> Vec<Diag> {
-    let (header, body) = header::read(input);
+    let (header, body) = read_header(input);
     let unit = match body {
         Ok(RulesText::File(path)) => {
             let path: syn::LitStr = syn::parse_quote!(#path);

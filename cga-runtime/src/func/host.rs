@@ -229,6 +229,29 @@ pub fn as_str(text: &Text) -> &str {
     text.as_str()
 }
 
+/// The type of an argument of a Rust function.
+pub trait Argument: Clone + Default {
+    /// The value, if it has this type.
+    fn of(value: &Value) -> Option<&Self>;
+}
+
+macro_rules! arguments {
+    ($($ty:ty => $variant:ident,)*) => {$(
+        impl Argument for $ty {
+            fn of(value: &Value) -> Option<&Self> {
+                if let Value::$variant(own) = value { Some(own) } else { None }
+            }
+        }
+    )*};
+}
+
+arguments! { f64 => Float, bool => Bool, Text => Text, Array<f64> => Floats, Array<bool> => Bools, Array<Text> => Texts, }
+
+/// An argument of a Rust function that loaded rules call. They check the types before.
+pub fn argument<T: Argument>(args: &[Value], number: usize) -> T {
+    args.get(number).and_then(T::of).cloned().unwrap_or_default()
+}
+
 /// The value of a function that the host program has registered. A value of another type than `other` is a fault, and counts as
 /// `other`.
 pub fn of_type(env: &mut Env, name: &str, value: Value, other: &Value) -> Value {

@@ -1,5 +1,6 @@
 //! Several grammars with names, for lists of lots of different kinds.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
 
@@ -36,6 +37,8 @@ use crate::value::text::Text;
 #[derive(Clone, Default)]
 pub struct Grammars {
     list: Vec<(Text, Box<dyn Grammar + Send + Sync>)>,
+    /// The names that two grammars were added under.
+    shared: BTreeSet<Text>,
 }
 
 impl fmt::Debug for Grammars {
@@ -50,16 +53,21 @@ impl Grammars {
         Grammars::default()
     }
 
-    /// Adds a grammar under the name of its header. It replaces a grammar of that name. Grammars without a header have no name, so of
-    /// several of them each needs [`with_named`](Grammars::with_named).
-    pub fn with(self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+    /// Adds a grammar under the name of its header. If the set has a grammar of that name, no lot can name either of them:
+    /// [`with_named`](Grammars::with_named) gives one of them another name. Grammars without a header have no name.
+    pub fn with(mut self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
         let name = Text::from(grammar.name());
+        if self.get(&name).is_some() {
+            self.shared.insert(name);
+            return self;
+        }
         self.with_named(name, grammar)
     }
 
     /// Adds a grammar under another name, as a map may have it. It replaces a grammar of that name.
     pub fn with_named(mut self, name: impl Into<Text>, grammar: impl Grammar + Send + Sync + 'static) -> Self {
         let name = name.into();
+        self.shared.remove(&name);
         match self.list.iter_mut().find(|(known, _)| *known == name) {
             Some(own) => own.1 = Box::new(grammar),
             None => self.list.push((name, Box::new(grammar))),
@@ -148,8 +156,15 @@ struct GrammarsSession<'g> {
 impl GrammarsSession<'_> {
     /// The number of a lot's grammar, and what is wrong with its name. The first grammar takes the place of an unknown one.
     fn number_of(&self, lot: &Shape) -> (usize, Option<String>) {
-        let Some(name) = lot.grammar_name() else { return (0, None) };
+        let first = || self.grammars.names().next();
+        let Some(name) = lot.grammar_name().or_else(first) else { return (0, None) };
         let number = self.grammars.names().position(|known| known == name);
+        if let (Some(number), true) = (number, self.grammars.shared.contains(name)) {
+            let name = shown(name);
+            let problem =
+                format!("the set has several grammars of the name `{name}`; add one of them with `with_named`");
+            return (number, Some(problem));
+        }
         let problem = || {
             let known: Vec<&str> = self.grammars.names().collect();
             format!("`{}` is not a grammar of the set; the grammars are {}", shown(name), known.join(", "))

@@ -15,7 +15,7 @@ pub(crate) mod support;
 mod unrunnable;
 
 pub use field::{Evaluated, Field};
-pub use rule_source::RuleSource;
+pub use rule_source::{RuleSource, RustCall, RustCode};
 pub use unrunnable::Unrunnable;
 
 use self::attribute::{Attribute, AttributeError};
@@ -65,7 +65,7 @@ pub trait Grammar {
     #[doc(hidden)]
     fn attribute_reset(&mut self, index: usize);
 
-    /// The rule file that the grammar was compiled from, with the feature `live`.
+    /// The rules that the grammar was compiled from, with the feature `live`.
     #[doc(hidden)]
     fn rule_source(&self) -> Option<RuleSource> {
         None

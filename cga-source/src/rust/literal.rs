@@ -5,14 +5,40 @@ use std::ops::Range;
 use cga_lang::diag::Diag;
 use cga_lang::syntax::lex::{MOST_BYTES, TOO_LONG, lex_joined};
 use cga_lang::syntax::token::Tokens;
-use proc_macro2::{Literal, Span, TokenStream};
+use proc_macro2::{Literal, Span};
 
 use super::content::Content;
-use super::quoted::QuotedText;
-use super::rules::{Source, TokenPlaces};
-use crate::problem::Problem;
+use super::problem::Problem;
 
-pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
+/// Rules in string literals, as tokens.
+#[derive(Clone, Debug)]
+pub struct TextTokens {
+    /// The tokens.
+    pub tokens: Tokens,
+    /// The diagnostics of reading them.
+    pub found: Vec<Diag>,
+    /// The place of the first literal.
+    pub span: Span,
+    /// The literals as written, at their position in their file.
+    pub quoted: QuotedText,
+}
+
+/// A text that diagnostics quote.
+#[derive(Clone, Debug)]
+pub struct QuotedText {
+    /// The path, as the user writes it.
+    pub name: String,
+    /// The text as written, with escapes, at its position in its file.
+    pub written: String,
+    /// For each token, its bytes in `written`.
+    pub ranges: Vec<Range<usize>>,
+}
+
+/// Reads rules in string literals, one after the other.
+///
+/// # Errors
+/// A literal is not a string, or the rules are too long.
+pub fn read_text(literals: &[Literal]) -> Result<TextTokens, Problem> {
     let span = literals.first().map_or_else(Span::call_site, Literal::span);
     let (mut joined, mut borders) = (Joined::default(), Vec::new());
     for literal in literals {
@@ -31,20 +57,8 @@ pub(super) fn read(literals: &[Literal]) -> Result<Source, Problem> {
     // Editors' macro servers know no place.
     let name = if name.is_empty() { "rules".to_owned() } else { name };
     let ranges = lexed.ranges.iter().map(|range| joined.place(range)).collect();
-    let place = QuotedText { name, written: joined.written, ranges };
-    Ok(source(lexed.tokens, lexed.diags, span, place, TokenStream::new()))
-}
-
-/// A source whose tokens come from a literal.
-pub(super) fn source(
-    tokens: Tokens,
-    findings: Vec<Diag>,
-    span: Span,
-    text: QuotedText,
-    tracking: TokenStream,
-) -> Source {
-    let places = TokenPlaces::Text { span, text, tracking };
-    Source { tokens, findings, hosts: Vec::new(), places, imported: Vec::new(), files: Vec::new() }
+    let quoted = QuotedText { name, written: joined.written, ranges };
+    Ok(TextTokens { tokens: lexed.tokens, found: lexed.diags, span, quoted })
 }
 
 /// Literals one after the other.

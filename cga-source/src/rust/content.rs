@@ -5,23 +5,23 @@ use std::ops::Range;
 use proc_macro2::Literal;
 
 /// A string literal: what it means and how it is written.
-pub(super) struct Content {
+pub(crate) struct Content {
     /// As written, quotes and escapes and all.
-    pub(super) literal: String,
+    pub(crate) literal: String,
     /// The text after its escapes are resolved.
-    pub(super) text: String,
+    pub(crate) text: String,
     /// For each byte of `text`, the bytes of `literal` that its character takes.
-    pub(super) origin: Vec<Range<usize>>,
+    pub(crate) origin: Vec<Range<usize>>,
 }
 
-/// The value of a string literal.
-pub(super) fn value(literal: &Literal) -> Option<String> {
+/// The value of a string literal; `None` for a literal of another kind.
+pub fn value(literal: &Literal) -> Option<String> {
     Content::of(literal).map(|content| content.text)
 }
 
 impl Content {
     /// Reads a literal; `None` if it is not a plain string.
-    pub(super) fn of(literal: &Literal) -> Option<Self> {
+    pub(crate) fn of(literal: &Literal) -> Option<Self> {
         let literal = literal.to_string();
         let mut content = Content { text: String::new(), origin: Vec::new(), literal: String::new() };
         match literal.strip_prefix('r') {

@@ -7,10 +7,32 @@ use cga_lang::syntax::lex::{NO_UNITS, without_unit};
 use cga_lang::syntax::token::{Sym, Tok, Tokens};
 use proc_macro2::{Delimiter, Group, Literal, Spacing, Span, TokenStream, TokenTree};
 
-use super::rules::{Host, Source, TokenPlaces};
+/// Inline rules as tokens, and the places of the tokens.
+#[derive(Clone, Debug)]
+pub struct InlineTokens {
+    /// The tokens.
+    pub tokens: Tokens,
+    /// The diagnostics of reading them.
+    pub found: Vec<Diag>,
+    /// The place where each token begins, and where it ends: a symbol or path of ours can be several tokens of Rust.
+    pub spans: Vec<(Span, Span)>,
+    /// The paths among the tokens: the number of the token, and its own tokens.
+    pub paths: Vec<(u32, TokenStream)>,
+    /// The Rust values, by handle.
+    pub hosts: Vec<Host>,
+}
 
-/// Reads inline rules. `end` is the place of diagnostics if there are no tokens.
-pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
+/// A Rust value in the rules: `#name` or `#(…)`.
+#[derive(Clone, Debug)]
+pub struct Host {
+    /// The expression.
+    pub expr: TokenStream,
+    /// Its place, without the `#`.
+    pub span: Span,
+}
+
+/// Reads inline rules.
+pub fn read_inline(stream: TokenStream) -> InlineTokens {
     let mut reader = InlineReader::default();
     reader.stream(stream);
     reader.report_lifetimes();
@@ -20,9 +42,8 @@ pub(crate) fn read(stream: TokenStream, end: Span) -> Source {
             .get(dot + 1)
             .is_some_and(|next| is_close(spans[dot - 1].1, spans[dot].0) && is_close(spans[dot].1, next.0))
     });
-    let findings: Vec<Diag> = reader.diags.finish();
-    let places = TokenPlaces::Inline { spans: reader.spans, paths: reader.paths, end };
-    Source { tokens: reader.tokens, findings, hosts: reader.hosts, places, imported: Vec::new(), files: Vec::new() }
+    let InlineReader { tokens, spans, paths, hosts, diags, .. } = reader;
+    InlineTokens { tokens, found: diags.finish(), spans, paths, hosts }
 }
 
 #[derive(Default)]

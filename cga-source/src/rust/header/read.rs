@@ -6,10 +6,10 @@ use proc_macro2::{Delimiter, Group, Ident, Literal, Span, TokenStream, TokenTree
 use quote::quote;
 
 use super::{Header, RulesText};
-use crate::problem::Problem;
+use crate::rust::problem::Problem;
 
 /// Reads the header, if there is one. Where it is broken the problem goes with as much of it as there is.
-pub(crate) fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
+pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
     let list: Vec<TokenTree> = input.into_iter().collect();
     let mut at = 0;
     let mut header = Header {
