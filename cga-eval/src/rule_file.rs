@@ -46,12 +46,29 @@ pub(crate) struct Loaded {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
+    /// The names and texts of the rule file and of its imports.
+    pub(crate) files: Vec<(String, String)>,
 }
 
 impl RuleFile {
     /// The warnings about the rules, as the compiler shows them.
     pub fn warnings(&self) -> &[String] {
         &self.loaded.warnings
+    }
+
+    /// The names and texts of the rule file and of the files that it imports, sorted by name. A program that keeps results compares them to
+    /// know whether the rules are the same.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let loader = RuleLoader::new().with_file("lib.cga", "Wall --> X.");
+    /// let rules = loader.text("import lib : \"lib.cga\"  Lot --> extrude(5) lib.Wall")?;
+    /// assert_eq!(rules.files().map(|(name, _)| name).collect::<Vec<_>>(), ["lib.cga", "rules.cga"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn files(&self) -> impl ExactSizeIterator<Item = (&str, &str)> {
+        self.loaded.files.iter().map(|(name, text)| (name.as_str(), text.as_str()))
     }
 
     /// Opens a session: several runs with the same settings, which share what is made once.

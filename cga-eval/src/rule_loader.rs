@@ -166,6 +166,7 @@ impl RuleLoader {
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
                 warnings: shown(&warnings),
+                files: sources.files(),
             }),
         })
     }

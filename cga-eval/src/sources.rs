@@ -111,6 +111,13 @@ impl Sources {
         Some(path.to_string_lossy().into_owned())
     }
 
+    /// The names and texts of the files that were read, sorted by name.
+    pub(crate) fn files(&self) -> Vec<(String, String)> {
+        let mut files: Vec<_> = self.entries.iter().map(|file| (file.name.clone(), file.text.clone())).collect();
+        files.sort_unstable();
+        files
+    }
+
     /// The file of a name as findings quote it. `lines` is filled at the first call.
     pub(crate) fn quote<'t>(&'t self, name: &str, lines: &'t OnceCell<Lines<'t>>) -> Option<Quote<'t>> {
         let entry = &self.entries[*self.known.get(name)?];
