@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::cell::Cell;
 use crate::level::Level;
-use crate::lots::{Lots, Sorter};
+use crate::lots::Sorter;
 use crate::problems::Problems;
 use crate::rules::Rules;
 use crate::tile_file::{TileFile, description, write};
@@ -192,7 +192,8 @@ impl Build {
             log.lock().unwrap_or_else(PoisonError::into_inner).add(event);
             progress.tile(event)
         };
-        let trees = Trees { lots: &lots, levels: &levels, folder: &folder, most_bytes: options.most_bytes, each: &each };
+        let trees =
+            Trees { lots: &lots, levels: &levels, folder: &folder, most_bytes: options.most_bytes, each: &each };
         let blocks = |problems: &mut Problems| -> io::Result<()> {
             let root = root(&trees, &log, problems)?;
             write(&folder.join("tileset.json"), &root.tileset())?;

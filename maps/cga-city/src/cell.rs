@@ -102,7 +102,12 @@ mod tests {
         assert_eq!(cell.keys().end, quarters[3].keys().end);
         assert!(quarters.windows(2).all(|pair| pair[0].keys().end == pair[1].keys().start));
         assert!(cell.keys().contains(&key([9.0, 48.0])) && cell.keys().contains(&key([9.3, 48.2])));
-        assert!(quarters.iter().all(|quarter| !(quarter.keys().contains(&key([9.0, 48.0])) && quarter.keys().contains(&key([9.3, 48.2])))));
+        assert!(
+            quarters
+                .iter()
+                .all(|quarter| !(quarter.keys().contains(&key([9.0, 48.0]))
+                    && quarter.keys().contains(&key([9.3, 48.2]))))
+        );
     }
 
     #[test]

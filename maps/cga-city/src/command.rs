@@ -75,7 +75,9 @@ fn columns(options: &CityOptions, rules: &Rules) -> Result<Columns, Problem> {
     for name in named {
         let has = |grammar: &&dyn cga::Grammar| grammar.attributes().iter().any(|attribute| attribute.name.is(name));
         if !rules.grammars().iter().any(has) {
-            return Err(Problem::unusable(format!("`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them")));
+            return Err(Problem::unusable(format!(
+                "`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"
+            )));
         }
     }
     Ok(Columns {
@@ -98,7 +100,9 @@ fn open(path: &Path, options: &CityOptions, columns: &Columns, rules: &Rules) ->
         (None, FileCrs::Epsg(code)) => *code,
         (None, FileCrs::None) => WGS_84,
         (None, FileCrs::Unknown(name)) => {
-            return Err(unread(format!("its coordinate system `{name}` has no code; name it, as in `--crs EPSG:25832`")));
+            return Err(unread(format!(
+                "its coordinate system `{name}` has no code; name it, as in `--crs EPSG:25832`"
+            )));
         }
     };
     let crs = Crs::from_epsg(code).map_err(|why| unread(format!("{why}; name another one with `--crs`")))?;

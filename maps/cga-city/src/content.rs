@@ -41,7 +41,7 @@ pub struct LotProblem {
 /// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided.
 pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes: u64) -> Option<Content> {
     let mut session = rules.grammars.session(&rules.settings);
-    let mut glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile").with_single_sided_solids();
+    let mut glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
     let mut content =
         Content { glb: Vec::new(), bounds: Bounds::EMPTY, buildings: 0, problems: Vec::new(), problems_left_out: 0 };
     for footprint in lots {
@@ -62,7 +62,11 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
             Ok(Err(why)) => content.add(footprint, true, why.to_string()),
             Err(_) => {
                 session = rules.grammars.session(&rules.settings);
-                content.add(footprint, true, "the run failed; please report this with the rules and the lot".to_owned());
+                content.add(
+                    footprint,
+                    true,
+                    "the run failed; please report this with the rules and the lot".to_owned(),
+                );
             }
         }
         if most_bytes < glb.size() && 1 < lots.len() {

@@ -139,7 +139,9 @@ mod tests {
         let rules = RuleFile::from_text("Lot --> extrude(7) [ t(1, 2, 3) X. ] t(50, 0, -9) Y.").expect("rules");
         let model = rules.generate(&Shape::rectangle(4.0, 5.0).at([1e5, 3.0, -2e5])).expect("a model");
         let (found, expected) = (glb_bounds(&model.to_glb().expect("a file")).expect("GLB"), model.bounds());
-        for (a, b) in found.low.iter().chain(&found.high).zip(expected.low.to_array().iter().chain(&expected.high.to_array())) {
+        for (a, b) in
+            found.low.iter().chain(&found.high).zip(expected.low.to_array().iter().chain(&expected.high.to_array()))
+        {
             assert!((a - b).abs() < 0.01, "{found:?} {expected:?}");
         }
     }

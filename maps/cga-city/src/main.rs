@@ -3,6 +3,7 @@
 //! ```text
 //! cga-city                                                          # a town of made-up outlines
 //! cga-city town.geojson --rules town.cga --out tiles --lod Block
+//! cga-city view tiles                                               # a page for a browser on this computer
 //! cga-city outlines town.parquet --rows 100000                      # made-up outlines
 //! ```
 #![forbid(unsafe_code)]
@@ -12,6 +13,7 @@ mod options;
 mod progress_bar;
 mod stream;
 mod town;
+mod view;
 
 use std::process::ExitCode;
 
@@ -52,6 +54,7 @@ fn main() -> ExitCode {
     let options = Options::parse();
     let ended = match options.command {
         Some(Command::Outlines(outlines)) => town::outlines(&outlines),
+        Some(Command::View(view)) => view::view(&view),
         None if options.city.lots.is_empty() => town::town(options.city),
         None => command::city(&options.city),
     };

@@ -25,6 +25,8 @@ written or the arguments are wrong";
 pub(crate) enum Command {
     /// Writes a file of made-up outlines: .geojson, .fgb, .shp or .parquet
     Outlines(OutlineOptions),
+    /// Serves a city and a page that shows it, for browsers on this computer
+    View(ViewOptions),
 }
 
 #[derive(Debug, Args)]
@@ -112,6 +114,18 @@ pub(crate) struct OutlineOptions {
     pub(crate) broken: u64,
 }
 
+#[derive(Debug, Args)]
+pub(crate) struct ViewOptions {
+    /// The folder of a city
+    pub(crate) dir: PathBuf,
+    /// The port; 0 takes a free one
+    #[arg(long, default_value_t = 8080)]
+    pub(crate) port: u16,
+    /// The folder of the page [default: the page that `maps/view/build.sh` builds]
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) page: Option<PathBuf>,
+}
+
 /// Two names with `=` between them.
 fn pair(text: &str) -> Result<(String, String), String> {
     let (first, second) = text.split_once('=').ok_or("write two names with `=` between them, as in `height=12`")?;
@@ -128,12 +142,27 @@ mod tests {
 
     #[test]
     fn a_city_has_lots_rules_and_a_folder() {
-        let args = ["a.shp", "--rules", "a.cga", "--out", "o", "--crs", "EPSG:25832", "--attribute", "HOEHE=height", "--lod", "Block@9"];
+        let args = [
+            "a.shp",
+            "--rules",
+            "a.cga",
+            "--out",
+            "o",
+            "--crs",
+            "EPSG:25832",
+            "--attribute",
+            "HOEHE=height",
+            "--lod",
+            "Block@9",
+        ];
         let city = of(&args).expect("right").city;
         assert_eq!((city.crs, city.lod[0].error), (Some(CrsOption(25832)), Some(9.0)));
         assert_eq!(city.attributes, [("HOEHE".to_owned(), "height".to_owned())]);
         assert!(of(&[]).expect("a town").city.lots.is_empty());
-        assert!(matches!(of(&["outlines", "a.fgb", "--rows", "9"]).expect("right").command, Some(Command::Outlines(_))));
+        assert!(matches!(
+            of(&["outlines", "a.fgb", "--rows", "9"]).expect("right").command,
+            Some(Command::Outlines(_))
+        ));
     }
 
     #[test]

@@ -3,8 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use cga::grammar::Grammars;
-use cga::{Assets, Grammar, RuleFile, RuleLoader, Settings, WrongLots};
+use cga::{Assets, Grammar, Grammars, RuleFile, RuleLoader, Settings, WrongLots};
 
 use crate::level::Level;
 
@@ -34,7 +33,9 @@ impl Rules {
     pub fn new(files: Vec<RuleFile>) -> Result<Self, String> {
         let Some(first) = files.first() else { return Err("a city needs rules".to_owned()) };
         let name = first.name().to_owned();
-        if let Some(twice) = (1..files.len()).find(|at| files[..*at].iter().any(|file| file.name() == files[*at].name())) {
+        if let Some(twice) =
+            (1..files.len()).find(|at| files[..*at].iter().any(|file| file.name() == files[*at].name()))
+        {
             return Err(format!("two rule files have the name `{}`; `{name}` is the first file", files[twice].name()));
         }
         let mut rules = Rules { files, assets: Arc::default(), digest: [0; 32] };
@@ -48,7 +49,8 @@ impl Rules {
     /// A sentence about a file of the folder.
     pub fn with_assets(mut self, folder: &Path) -> Result<Self, String> {
         let mut contents = Vec::new();
-        contents_of(folder, folder, &mut contents).map_err(|why| format!("cannot read `{}`: {why}", folder.display()))?;
+        contents_of(folder, folder, &mut contents)
+            .map_err(|why| format!("cannot read `{}`: {why}", folder.display()))?;
         contents.sort_unstable();
         self.digest = self.digest_of(&contents);
         self.assets = Arc::new(Assets::below(folder));
@@ -84,13 +86,19 @@ impl Rules {
             for file in &files {
                 if !file.start_rules().iter().any(|rule| rule.name.is(start)) {
                     let known: Vec<&str> = file.start_rules().iter().map(|rule| rule.name.as_str()).collect();
-                    return Err(format!("`{start}` is not a start rule of `{}`; its start rules are {}", file.name(), known.join(", ")));
+                    return Err(format!(
+                        "`{start}` is not a start rule of `{}`; its start rules are {}",
+                        file.name(),
+                        known.join(", ")
+                    ));
                 }
             }
         }
         let mut digest = blake3::Hasher::new();
         digest.update(&self.digest).update(format!("{:?}", level.start).as_bytes());
-        for attribute in files.iter().flat_map(|file| file.attributes().iter().map(move |attribute| file.get(&attribute.name).ok())) {
+        for attribute in
+            files.iter().flat_map(|file| file.attributes().iter().map(move |attribute| file.get(&attribute.name).ok()))
+        {
             digest.update(format!("{attribute:?};").as_bytes());
         }
         let settings = Settings {
@@ -178,7 +186,8 @@ mod tests {
         Rules::new(vec![RuleFile::from_text(text).expect("good rules")]).expect("one file")
     }
 
-    const HOUSE: &str = "attr height = 9  @StartRule Lot --> extrude(height) X.  @StartRule Block --> extrude(height) Y.";
+    const HOUSE: &str =
+        "attr height = 9  @StartRule Lot --> extrude(height) X.  @StartRule Block --> extrude(height) Y.";
 
     #[test]
     fn digests_follow_rules_values_and_start_rules() {

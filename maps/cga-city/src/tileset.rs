@@ -35,7 +35,8 @@ impl Node {
     /// Grows the box to the boxes of the children.
     pub fn grow(&mut self) {
         for child in &self.children {
-            let points = child.bounds.corners().map(|corner| self.frame.from_geocentric(child.frame.to_geocentric(corner)));
+            let points =
+                child.bounds.corners().map(|corner| self.frame.from_geocentric(child.frame.to_geocentric(corner)));
             points.into_iter().for_each(|point| self.bounds.add(point));
         }
     }
@@ -43,7 +44,8 @@ impl Node {
     /// The tile below another one with a frame; at the root of a file, the frame that the file is placed in.
     fn tile(&self, outer: Option<&Frame>) -> Value {
         // A city without buildings has a box, too.
-        let Bounds { low, high } = if self.bounds.is_empty() { Bounds { low: [0.0; 3], high: [0.0; 3] } } else { self.bounds };
+        let Bounds { low, high } =
+            if self.bounds.is_empty() { Bounds { low: [0.0; 3], high: [0.0; 3] } } else { self.bounds };
         let middle = [0, 1, 2].map(|axis| (low[axis] + high[axis]) / 2.0);
         // A flat box would be hit by no ray.
         let half = [0, 1, 2].map(|axis| ((high[axis] - low[axis]) / 2.0).max(0.5));

@@ -25,7 +25,11 @@ pub(crate) fn town(options: CityOptions) -> Result<Status, Problem> {
         std::fs::write(&rules, RULES).map_err(unwritten)?;
     }
     Town { broken: 400, ..Town::new(ROWS) }.write(&lots).map_err(Problem::unusable)?;
-    say(format_args!("wrote {ROWS} made-up outlines to {} and rules to {}; some outlines are broken", lots.display(), rules.display()));
+    say(format_args!(
+        "wrote {ROWS} made-up outlines to {} and rules to {}; some outlines are broken",
+        lots.display(),
+        rules.display()
+    ));
     let mut options = CityOptions { lots: vec![lots], rules: vec![rules], out: Some(out), ..options };
     if options.lod.is_empty() {
         options.lod = ["Block".parse().map_err(Problem::unusable)?].into();
@@ -33,6 +37,7 @@ pub(crate) fn town(options: CityOptions) -> Result<Status, Problem> {
     let status = command::city(&options)?;
     say("\nNext: change the rules or a value, and type");
     say("  cga-city town/town.geojson --rules town/town.cga --out town/tiles --lod Block --set slope=50");
+    say("  cga-city view town/tiles");
     say("or take a map of your own: cga-city LOTS --rules RULES.cga --out DIR; `cga-city --help` has all options");
     Ok(status)
 }

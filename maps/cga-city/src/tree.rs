@@ -119,7 +119,8 @@ impl Trees<'_> {
     /// Errors of the file system, and an error of [`each`](Trees::each).
     pub fn nodes(&self, piece: Piece, level: usize) -> io::Result<Vec<Node>> {
         let pieces = self.cut(piece, self.levels[level].lots)?;
-        let nodes: Vec<Vec<Node>> = pieces.into_par_iter().map(|piece| self.node(piece, level)).collect::<io::Result<_>>()?;
+        let nodes: Vec<Vec<Node>> =
+            pieces.into_par_iter().map(|piece| self.node(piece, level)).collect::<io::Result<_>>()?;
         Ok(nodes.into_iter().flatten().collect())
     }
 
@@ -128,7 +129,8 @@ impl Trees<'_> {
         let (tile, name, frame) = self.tile(&piece, level)?;
         if tile.is_divided {
             let parts = self.divided(&piece)?;
-            let nodes: Vec<Vec<Node>> = parts.into_par_iter().map(|part| self.node(part, level)).collect::<io::Result<_>>()?;
+            let nodes: Vec<Vec<Node>> =
+                parts.into_par_iter().map(|part| self.node(part, level)).collect::<io::Result<_>>()?;
             return Ok(nodes.into_iter().flatten().collect());
         }
         let children = if level == 0 { Vec::new() } else { self.nodes(piece, level - 1)? };

@@ -85,7 +85,8 @@ impl FromStr for Crs {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let code = text.trim();
-        let code = code.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("EPSG")).map_or(code, |(_, code)| code);
+        let code =
+            code.split_once(':').filter(|(name, _)| name.eq_ignore_ascii_case("EPSG")).map_or(code, |(_, code)| code);
         let code = code.parse().map_err(|_| format!("`{text}` is not a code of EPSG; write `EPSG:25832`"))?;
         Crs::from_epsg(code)
     }

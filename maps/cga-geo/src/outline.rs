@@ -31,10 +31,7 @@ impl Outline {
 pub fn twice_area(ring: &[Corner]) -> f64 {
     let Some(&[x, y]) = ring.first() else { return 0.0 };
     let moved = |corner: &Corner| [corner[0] - x, corner[1] - y];
-    ring.windows(2)
-        .map(|pair| (moved(&pair[0]), moved(&pair[1])))
-        .map(|([ax, ay], [bx, by])| ax * by - bx * ay)
-        .sum()
+    ring.windows(2).map(|pair| (moved(&pair[0]), moved(&pair[1]))).map(|([ax, ay], [bx, by])| ax * by - bx * ay).sum()
 }
 
 /// The centroid of the area of a ring with a positive or negative area.

@@ -99,7 +99,8 @@ impl Terrain for AsciiGrid {
         if !(inside(0) && inside(1)) {
             return None;
         }
-        let low = |axis: usize| (place[axis].clamp(0.0, (counts[axis] - 1) as f64).floor() as usize).min(counts[axis] - 1);
+        let low =
+            |axis: usize| (place[axis].clamp(0.0, (counts[axis] - 1) as f64).floor() as usize).min(counts[axis] - 1);
         let (column, row) = (low(0), low(1));
         let next = [(column + 1).min(self.columns - 1), (row + 1).min(self.rows - 1)];
         let part = |at: f64, low: usize| (at - low as f64).clamp(0.0, 1.0);
@@ -154,7 +155,10 @@ impl Head {
         let count = self.columns.checked_mul(self.rows).filter(|count| (1..=MOST_CELLS).contains(count));
         match count {
             Some(count) if has_place && 0.0 < self.cell && self.cell.is_finite() => Ok(count),
-            _ => Err("it needs the lines ncols, nrows, xllcorner, yllcorner and cellsize, and at most 10⁸ cells".to_owned()),
+            _ => {
+                Err("it needs the lines ncols, nrows, xllcorner, yllcorner and cellsize, and at most 10⁸ cells"
+                    .to_owned())
+            }
         }
     }
 

@@ -1,5 +1,11 @@
 //! Four formats with the same rows give the same footprints, and damaged files lose nothing silently.
-#![cfg(all(feature = "geojson", feature = "flatgeobuf", feature = "shapefile", feature = "geoparquet", feature = "synthetic"))]
+#![cfg(all(
+    feature = "geojson",
+    feature = "flatgeobuf",
+    feature = "shapefile",
+    feature = "geoparquet",
+    feature = "synthetic"
+))]
 
 use std::path::Path;
 
@@ -35,7 +41,8 @@ fn surveyed(path: &Path) -> (Vec<Footprint>, Vec<String>, Vec<Problem>) {
         problems.extend(survey.problems);
     }
     footprints.sort_by_cached_key(Footprint::key);
-    let mut lost: Vec<String> = problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.id.clone()).collect();
+    let mut lost: Vec<String> =
+        problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.id.clone()).collect();
     lost.sort_unstable();
     (footprints, lost, problems)
 }
@@ -55,7 +62,12 @@ fn equal_rows_make_equal_footprints_in_all_formats() {
     assert_eq!(first.1.iter().filter(|id| id.is_empty()).count(), 20);
     for (footprints, lost, problems) in others {
         assert_eq!(footprints, first.0);
-        assert!(problems.iter().filter(|problem| problem.is_lost).all(|problem| problem.id.parse::<u64>().unwrap() % 7 == 0));
+        assert!(
+            problems
+                .iter()
+                .filter(|problem| problem.is_lost)
+                .all(|problem| problem.id.parse::<u64>().unwrap() % 7 == 0)
+        );
         assert_eq!(lost.len(), 100);
     }
     assert!(600 < first.0.len());
@@ -69,8 +81,11 @@ fn reasons_name_the_fault_of_each_row() {
     let path = folder.path().join("town.parquet");
     Town { broken: 2, ..Town::new(20) }.write(&path).expect("room");
     let (_, _, problems) = surveyed(&path);
-    let reasons: Vec<&str> = problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.reason.as_str()).collect();
-    for (number, why) in ["a corner is (NaN", "no area", "edges cross", "km long", "corners or more"].into_iter().enumerate() {
+    let reasons: Vec<&str> =
+        problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.reason.as_str()).collect();
+    for (number, why) in
+        ["a corner is (NaN", "no area", "edges cross", "km long", "corners or more"].into_iter().enumerate()
+    {
         assert!(reasons[number].contains(why), "{reasons:?}");
     }
     assert_eq!(reasons.len(), 10);

@@ -142,7 +142,8 @@ fn the_size_counts_the_vertices_and_indices_of_the_file() {
     }
     assert!(sizes[0] == 0 && sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
     let file = GlbFile::new(&glb.into_bytes().unwrap());
-    let all: u64 = file.json["bufferViews"].as_array().unwrap().iter().map(|view| view["byteLength"].as_u64().unwrap()).sum();
+    let all: u64 =
+        file.json["bufferViews"].as_array().unwrap().iter().map(|view| view["byteLength"].as_u64().unwrap()).sum();
     // Views of property tables come on top.
     assert!(sizes[4] <= all && all < sizes[4] + 5_000, "{sizes:?} {all}");
 }

@@ -87,7 +87,8 @@ impl Lots {
         let footprint = |pair: &[Entry]| {
             let part = (pair[0].offset - first.offset) as usize..(pair[1].offset - first.offset) as usize;
             let footprint = bytes.get(part).ok_or(io::ErrorKind::UnexpectedEof)?;
-            let footprint = Footprint::from_bytes(footprint).map_err(|why| io::Error::new(io::ErrorKind::InvalidData, why))?;
+            let footprint =
+                Footprint::from_bytes(footprint).map_err(|why| io::Error::new(io::ErrorKind::InvalidData, why))?;
             Ok((pair[0].digest, footprint))
         };
         let mut footprints = entries.windows(2).map(footprint).collect::<io::Result<Vec<_>>>()?;

@@ -1,7 +1,7 @@
 //! Sorts footprints with little memory: sorted runs on the disk, then a merge.
 
-use std::collections::BinaryHeap;
 use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 use std::fs::File;
 use std::io::{self, BufReader, BufWriter, ErrorKind, Read, Seek as _, Write};
 use std::path::{Path, PathBuf};
@@ -85,7 +85,8 @@ impl Sorter {
         self.end_run()?;
         self.run = Vec::new();
         let mut out = Output::new(&self.folder)?;
-        let mut runs = self.runs.iter().map(|path| File::open(path).map(BufReader::new)).collect::<io::Result<Vec<_>>>()?;
+        let mut runs =
+            self.runs.iter().map(|path| File::open(path).map(BufReader::new)).collect::<io::Result<Vec<_>>>()?;
         let mut next = BinaryHeap::new();
         for (number, run) in runs.iter_mut().enumerate() {
             next.extend(Item::read(run)?.map(|item| Reverse((item, number))));
@@ -188,7 +189,10 @@ mod tests {
         let lots = sorter.finish().expect("room");
         let entries = lots.entries(0..lots.len()).expect("entries");
         assert!(entries.windows(2).all(|pair| pair[0].key <= pair[1].key));
-        assert_eq!(lots.before(entries[700].key, 0..1000).map(|at| entries[at as usize].key).ok(), Some(entries[700].key));
+        assert_eq!(
+            lots.before(entries[700].key, 0..1000).map(|at| entries[at as usize].key).ok(),
+            Some(entries[700].key)
+        );
         (entries, lots.footprints(0..lots.len()).expect("footprints"))
     }
 

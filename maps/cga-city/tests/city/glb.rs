@@ -114,7 +114,10 @@ impl Glb {
         let table = &metadata["propertyTables"][table];
         let class = &metadata["schema"]["classes"][table["class"].as_str().expect("a class")]["properties"];
         let count = table["count"].as_u64().expect("a count") as usize;
-        assert_eq!((class["height"]["type"].as_str(), class["height"]["componentType"].as_str()), (Some("SCALAR"), Some("FLOAT64")));
+        assert_eq!(
+            (class["height"]["type"].as_str(), class["height"]["componentType"].as_str()),
+            (Some("SCALAR"), Some("FLOAT64"))
+        );
         let (heights, _) = self.view(&table["properties"]["height"]["values"]).as_chunks::<8>();
         let names = self.texts(&table["properties"]["name"], count);
         let kinds = self.texts(&table["properties"]["kind"], count);

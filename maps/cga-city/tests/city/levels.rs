@@ -22,7 +22,8 @@ fn moved(m: &Matrix, [x, y, z]: [f64; 3]) -> [f64; 3] {
 }
 
 fn numbers<const N: usize>(value: &Value) -> [f64; N] {
-    let list: Vec<f64> = value.as_array().expect("a list").iter().map(|number| number.as_f64().expect("a number")).collect();
+    let list: Vec<f64> =
+        value.as_array().expect("a list").iter().map(|number| number.as_f64().expect("a number")).collect();
     list.try_into().expect("the length")
 }
 
@@ -56,7 +57,16 @@ impl Walk<'_> {
                 // From y up to z up.
                 let corners = bounds.corners().map(|[x, y, z]| moved(&matrix, [x, -z, y]));
                 assert!(corners.into_iter().all(inside));
-                assert!(self.seen.insert(path.canonicalize().expect("a path").strip_prefix(self.folder).expect("below").to_string_lossy().into_owned()));
+                assert!(
+                    self.seen.insert(
+                        path.canonicalize()
+                            .expect("a path")
+                            .strip_prefix(self.folder)
+                            .expect("below")
+                            .to_string_lossy()
+                            .into_owned()
+                    )
+                );
             }
         }
         for child in tile["children"].as_array().into_iter().flatten() {
@@ -101,7 +111,9 @@ fn the_tileset_has_each_tile_once_inside_of_its_boxes() {
     let tiles: BTreeSet<String> = files(&out).into_keys().filter(|name| name.ends_with(".glb")).collect();
     assert_eq!(seen, tiles);
     assert!(3 <= deepest);
-    assert!(tiles.iter().filter(|name| is_tile(name, 1)).count() * 4 < tiles.iter().filter(|name| is_tile(name, 0)).count());
+    assert!(
+        tiles.iter().filter(|name| is_tile(name, 1)).count() * 4 < tiles.iter().filter(|name| is_tile(name, 0)).count()
+    );
 }
 
 #[test]
@@ -131,10 +143,13 @@ fn lots_at_one_place_are_divided_by_number() {
         )
     };
     let features: Vec<String> = (0..100).map(feature).collect();
-    std::fs::write(&lots, format!("{{\"type\":\"FeatureCollection\",\"features\":[{}]}}", features.join(","))).expect("room");
+    std::fs::write(&lots, format!("{{\"type\":\"FeatureCollection\",\"features\":[{}]}}", features.join(",")))
+        .expect("room");
     let summary = city(&lots, &out);
     assert_eq!(summary.levels[0].buildings, 100);
-    assert!(7 <= summary.levels[0].tiles && walk(&out).0.len() as u64 == summary.levels[0].tiles + summary.levels[1].tiles);
+    assert!(
+        7 <= summary.levels[0].tiles && walk(&out).0.len() as u64 == summary.levels[0].tiles + summary.levels[1].tiles
+    );
 }
 
 #[test]

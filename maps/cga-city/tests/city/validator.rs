@@ -19,7 +19,8 @@ fn the_khronos_validator_finds_no_error_in_tiles() {
     let (lots, out) = (folder.path().join("town.fgb"), folder.path().join("out"));
     Town::new(1000).write(&lots).expect("room");
     city(&lots, &out);
-    let tiles: Vec<_> = files(&out).into_keys().filter(|name| name.ends_with(".glb")).map(|name| out.join(name)).collect();
+    let tiles: Vec<_> =
+        files(&out).into_keys().filter(|name| name.ends_with(".glb")).map(|name| out.join(name)).collect();
     let run = Command::new("node").arg(tools.join("validate.mjs")).args(&tiles).output().expect("node");
     let text = String::from_utf8_lossy(&run.stdout);
     assert!(run.status.success(), "{text}{}", String::from_utf8_lossy(&run.stderr));

@@ -4,7 +4,9 @@ use std::io::Read;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ::flatgeobuf::geozero::FeatureProperties as _;
-use ::flatgeobuf::{FallibleStreamingIterator as _, FeatureIter, FgbFeature, FgbReader, GeozeroGeometry as _, NotSeekable};
+use ::flatgeobuf::{
+    FallibleStreamingIterator as _, FeatureIter, FgbFeature, FgbReader, GeozeroGeometry as _, NotSeekable,
+};
 
 use super::collector::Collector;
 use super::{FileCrs, MapFile};

@@ -58,7 +58,9 @@ fn row(number: u64, text: &[u8]) -> Row {
     };
     let mut notes = Vec::new();
     if outlines.iter().flatten().any(|outline| twice_area(outline.rings.first().map_or(&[], Vec::as_slice)) < 0.0) {
-        notes.push("its outline runs clockwise, but outlines of GeoJSON run counter-clockwise; it was turned".to_owned());
+        notes.push(
+            "its outline runs clockwise, but outlines of GeoJSON run counter-clockwise; it was turned".to_owned(),
+        );
     }
     Row { number, id, outlines, columns, notes }
 }
@@ -141,7 +143,8 @@ mod tests {
             { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [[[1]]] } },
             { "type": "Feature", "properties": {}, "geometry": { "type": "Polygon", "coordinates": [[[0, 0], [0, 1], [1, 1]]] } } ] }"#,
         );
-        let reasons: Vec<&str> = rows.iter().filter_map(|row| row.outlines.as_ref().err().map(String::as_str)).collect();
+        let reasons: Vec<&str> =
+            rows.iter().filter_map(|row| row.outlines.as_ref().err().map(String::as_str)).collect();
         assert!(reasons[0].starts_with("it is not GeoJSON: "), "{reasons:?}");
         assert_eq!(reasons[1..3], ["a Point is not a polygon", "it has no geometry"]);
         assert_eq!(rows.len(), 5);

@@ -28,7 +28,8 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     let metadata = reader.metadata().file_metadata();
     let geo = metadata.key_value_metadata().into_iter().flatten().find(|entry| entry.key == "geo");
     let geo = geo.and_then(|entry| entry.value.as_deref());
-    let geo: Json = geo.map_or(Ok(Json::Null), serde_json::from_str).map_err(|why| format!("its member `geo`: {why}"))?;
+    let geo: Json =
+        geo.map_or(Ok(Json::Null), serde_json::from_str).map_err(|why| format!("its member `geo`: {why}"))?;
     let geometry = geo["primary_column"].as_str().unwrap_or("geometry").to_owned();
     let about = &geo["columns"][&geometry];
     if let Some(encoding) = about["encoding"].as_str().filter(|encoding| *encoding != "WKB") {
@@ -125,7 +126,10 @@ fn add(columns: &mut Vec<(String, ColumnValue)>, name: String, field: Field) {
     let value = match field {
         Field::Null => return,
         Field::Group(group) => {
-            return group.into_columns().into_iter().for_each(|(own, field)| add(columns, format!("{name}.{own}"), field));
+            return group
+                .into_columns()
+                .into_iter()
+                .for_each(|(own, field)| add(columns, format!("{name}.{own}"), field));
         }
         Field::Bool(truth) => ColumnValue::Truth(truth),
         Field::Byte(number) => ColumnValue::Number(f64::from(number)),

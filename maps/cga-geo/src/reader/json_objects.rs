@@ -208,7 +208,10 @@ mod tests {
 
     #[test]
     fn a_file_that_ends_early_ends_with_a_reason() {
-        assert_eq!(parts("{\"features\": [{\"a\": 1}").last().unwrap(), "broken: the file ends inside of its list of features");
+        assert_eq!(
+            parts("{\"features\": [{\"a\": 1}").last().unwrap(),
+            "broken: the file ends inside of its list of features"
+        );
         assert_eq!(parts("{\"features\": [{\"a\": 1").last().unwrap(), "broken: the file ends inside of this object");
         assert_eq!(parts("hello"), ["broken: the file is not GeoJSON: it does not begin with `{`"]);
     }

@@ -140,10 +140,7 @@ fn outlines(shape: &Shape, notes: &mut Vec<String>) -> Result<Vec<Outline>, Stri
     Ok(joined(rings, notes))
 }
 
-fn rings<P>(
-    polygon: &GenericPolygon<P>,
-    corner: impl Fn(&P) -> (Corner, Option<f64>),
-) -> Result<Vec<Ring>, String> {
+fn rings<P>(polygon: &GenericPolygon<P>, corner: impl Fn(&P) -> (Corner, Option<f64>)) -> Result<Vec<Ring>, String> {
     let count: usize = polygon.rings().iter().map(PolygonRing::len).sum();
     if MOST_CORNERS < count {
         return Err(too_many_corners(count));
@@ -201,7 +198,8 @@ mod tests {
     #[test]
     fn holes_join_the_smallest_outline_around_them() {
         let mut notes = Vec::new();
-        let rings = vec![square(0.0, 9.0, true), square(2.0, 7.0, false), square(3.0, 6.0, true), square(4.0, 5.0, false)];
+        let rings =
+            vec![square(0.0, 9.0, true), square(2.0, 7.0, false), square(3.0, 6.0, true), square(4.0, 5.0, false)];
         let outlines = joined(rings, &mut notes);
         let holes: Vec<f64> = outlines.iter().map(|outline| outline.rings[1][0][0]).collect();
         assert_eq!((holes, notes.len()), (vec![2.0, 4.0], 0));

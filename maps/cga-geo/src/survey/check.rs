@@ -82,7 +82,10 @@ fn extent(ring: &[Corner]) -> Result<(), String> {
     };
     let ((west, east), (south, north)) = (range(0), range(1));
     if MOST_LATITUDE < south.abs().max(north.abs()) {
-        return Err(format!("it is at latitude {}; tiles end at {MOST_LATITUDE} degrees", if south < 0.0 { south } else { north }));
+        return Err(format!(
+            "it is at latitude {}; tiles end at {MOST_LATITUDE} degrees",
+            if south < 0.0 { south } else { north }
+        ));
     }
     let [a_degree_east, a_degree_north] = metres_a_degree((south + north) / 2.0);
     let metres = ((east - west) * a_degree_east).max((north - south) * a_degree_north);

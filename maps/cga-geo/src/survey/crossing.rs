@@ -29,7 +29,8 @@ pub(super) fn crossing(rings: &[Vec<Corner>]) -> Option<Corner> {
         let corners = &rings[ring];
         Edge { ring, number, from: corners[number], to: corners[(number + 1) % corners.len()] }
     };
-    let numbers = rings.iter().enumerate().flat_map(|(ring, corners)| (0..corners.len()).map(move |number| (ring, number)));
+    let numbers =
+        rings.iter().enumerate().flat_map(|(ring, corners)| (0..corners.len()).map(move |number| (ring, number)));
     let mut edges: Vec<Edge> = numbers.map(edge).collect();
     edges.sort_by(|a, b| a.low(0).total_cmp(&b.low(0)));
     for (at, edge) in edges.iter().enumerate() {

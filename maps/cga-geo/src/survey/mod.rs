@@ -81,7 +81,12 @@ impl<'g> Surveyor<'g> {
     /// Without a grammar.
     pub fn new(grammars: Vec<&'g dyn Grammar>, columns: Columns) -> Self {
         assert!(!grammars.is_empty(), "a surveyor needs a grammar");
-        Surveyor { grammars, columns, crs: Crs::from_epsg(crate::crs::WGS_84).expect("degrees are known"), terrain: None }
+        Surveyor {
+            grammars,
+            columns,
+            crs: Crs::from_epsg(crate::crs::WGS_84).expect("degrees are known"),
+            terrain: None,
+        }
     }
 
     /// Sets the coordinate system of the rows.
@@ -118,7 +123,8 @@ impl<'g> Surveyor<'g> {
             }
         };
         row.notes.iter().for_each(|note| problem(false, note.clone()));
-        let text = |name: &Option<String>| Some(row.column(name.as_ref()?)?.to_string()).filter(|text| !text.is_empty());
+        let text =
+            |name: &Option<String>| Some(row.column(name.as_ref()?)?.to_string()).filter(|text| !text.is_empty());
         let grammar_name = text(&self.columns.grammar);
         let grammar = match &grammar_name {
             None => Some(self.grammars[0]),
@@ -131,7 +137,8 @@ impl<'g> Surveyor<'g> {
             return survey;
         };
         let start = text(&self.columns.start);
-        if let Some(rule) = start.as_ref().filter(|rule| !grammar.start_rules().iter().any(|known| known.name.is(rule))) {
+        if let Some(rule) = start.as_ref().filter(|rule| !grammar.start_rules().iter().any(|known| known.name.is(rule)))
+        {
             problem(true, format!("`{rule}` is not a start rule of `{}`", grammar.name()));
             return survey;
         }

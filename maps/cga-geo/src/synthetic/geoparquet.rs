@@ -30,7 +30,8 @@ const GROUP: usize = 20_000;
 /// Writes a town.
 pub(super) fn write(town: &Town, path: &Path) -> Result<(), Box<dyn Error>> {
     let geo = KeyValue::new("geo".to_owned(), Some(GEO.to_owned()));
-    let properties = WriterProperties::builder().set_key_value_metadata(Some(vec![geo])).set_compression(Compression::SNAPPY);
+    let properties =
+        WriterProperties::builder().set_key_value_metadata(Some(vec![geo])).set_compression(Compression::SNAPPY);
     let schema = Arc::new(parse_message_type(SCHEMA)?);
     let mut writer = SerializedFileWriter::new(File::create(path)?, schema, Arc::new(properties.build()))?;
     let mut rows = town.iter();

@@ -79,7 +79,13 @@ impl Town {
         let side = ((self.rows as f64).sqrt().ceil() as u64).max(1);
         let steps = [(number % side) as f64, (number / side) as f64].map(|step| step - side as f64 / 2.0);
         let (sin, cos) = libm::sincos(random.between(-0.5, 0.5));
-        Place { middle: self.middle, degree: metres_a_degree(self.middle[1]), offset: steps.map(|step| step * SPACING), sin, cos }
+        Place {
+            middle: self.middle,
+            degree: metres_a_degree(self.middle[1]),
+            offset: steps.map(|step| step * SPACING),
+            sin,
+            cos,
+        }
     }
 
     /// Writes the rows to a file: GeoJSON, FlatGeobuf (which orders the rows itself), Shapefile or GeoParquet, by the ending of its name.
@@ -129,7 +135,8 @@ fn outline(random: &mut Random) -> Vec<Vec<Vec<Corner>>> {
         0..60 => vec![vec![whole]],
         60..78 => vec![vec![ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.5], [0.5, 0.5], [0.5, 1.0], [0.0, 1.0]])]],
         78..88 => {
-            let u = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.65, 1.0], [0.65, 0.4], [0.35, 0.4], [0.35, 1.0], [0.0, 1.0]];
+            let u =
+                [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.65, 1.0], [0.65, 0.4], [0.35, 0.4], [0.35, 1.0], [0.0, 1.0]];
             vec![vec![ring(&u)]]
         }
         88..93 => vec![vec![whole, ring(&[[0.3, 0.3], [0.3, 0.7], [0.7, 0.7], [0.7, 0.3]])]],
@@ -160,7 +167,9 @@ fn damage(polygons: &mut Vec<Vec<Vec<Corner>>>, way: u64) {
         3 => polygons[0][0][1][0] += 90.0,
         // One row has very many corners.
         _ if way == 4 => {
-            let corner = |at: u32| [first[0] + 1e-4 * libm::cos(f64::from(at) / 2e4), first[1] + 1e-4 * libm::sin(f64::from(at) / 2e4)];
+            let corner = |at: u32| {
+                [first[0] + 1e-4 * libm::cos(f64::from(at) / 2e4), first[1] + 1e-4 * libm::sin(f64::from(at) / 2e4)]
+            };
             polygons[0] = vec![(0..100_000).map(corner).collect()];
         }
         _ => polygons[0] = vec![vec![first, second, first, second]],
