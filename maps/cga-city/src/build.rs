@@ -79,7 +79,7 @@ pub struct Summary {
     pub lost: u64,
     /// The number of other problems.
     pub notes: u64,
-    /// The first problems.
+    /// The first problems: losses, then others.
     pub problems: Vec<String>,
 }
 
@@ -210,7 +210,7 @@ impl Build {
             kept: log.kept,
             lost: problems.lost,
             notes: problems.notes,
-            problems: problems.first,
+            problems: problems.first.concat(),
         })
     }
 }

@@ -14,12 +14,12 @@ pub struct Problems {
     pub lost: u64,
     /// The number of other problems.
     pub notes: u64,
-    /// The first problems, for a person to read.
-    pub first: Vec<String>,
+    /// The first problems for a person to read: of losses, and of others.
+    pub first: [Vec<String>; 2],
 }
 
-/// The number of problems that are shown.
-pub const SHOWN: usize = 10;
+/// The number of losses, and the number of other problems, that are shown.
+pub const SHOWN: [usize; 2] = [10, 3];
 
 impl Problems {
     /// Begins a file.
@@ -27,7 +27,7 @@ impl Problems {
     /// # Errors
     /// Errors of the file system.
     pub fn create(path: &Path) -> io::Result<Self> {
-        Ok(Problems { out: BufWriter::new(File::create(path)?), lost: 0, notes: 0, first: Vec::new() })
+        Ok(Problems { out: BufWriter::new(File::create(path)?), lost: 0, notes: 0, first: Default::default() })
     }
 
     /// Adds a problem of a row of a file.
@@ -62,8 +62,9 @@ impl Problems {
 
     fn add(&mut self, is_lost: bool, line: String) {
         *(if is_lost { &mut self.lost } else { &mut self.notes }) += 1;
-        if self.first.len() < SHOWN {
-            self.first.push(line);
+        let kind = usize::from(!is_lost);
+        if self.first[kind].len() < SHOWN[kind] {
+            self.first[kind].push(line);
         }
     }
 

@@ -34,10 +34,13 @@ impl Node {
 
     /// Grows the box to the boxes of the children.
     pub fn grow(&mut self) {
+        let frame = self.frame;
         for child in &self.children {
-            let points =
-                child.bounds.corners().map(|corner| self.frame.from_geocentric(child.frame.to_geocentric(corner)));
-            points.into_iter().for_each(|point| self.bounds.add(point));
+            let own = |corner| match child.frame == frame {
+                true => corner,
+                false => frame.from_geocentric(child.frame.to_geocentric(corner)),
+            };
+            child.bounds.corners().map(own).into_iter().for_each(|point| self.bounds.add(point));
         }
     }
 

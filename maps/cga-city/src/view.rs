@@ -20,12 +20,18 @@ const MOST_HEAD: u64 = 16 << 10;
 pub(crate) fn view(options: &ViewOptions) -> Result<Status, Problem> {
     let city = &options.dir;
     if !city.join("tileset.json").is_file() {
-        let text = format!("`{}` has no tileset.json; make a city with `cga-city LOTS --rules RULES.cga --out DIR`", city.display());
+        let text = format!(
+            "`{}` has no tileset.json; make a city with `cga-city LOTS --rules RULES.cga --out DIR`",
+            city.display()
+        );
         return Err(Problem::unusable(text));
     }
     let page = options.page.clone().unwrap_or_else(|| PathBuf::from(PAGE));
     if !page.join("index.html").is_file() {
-        let text = format!("the page is missing in `{}`; build it with `maps/view/build.sh`, which needs Node.js", page.display());
+        let text = format!(
+            "the page is missing in `{}`; build it with `maps/view/build.sh`, which needs Node.js",
+            page.display()
+        );
         return Err(Problem::unusable(text));
     }
     let unusable = |why: io::Error| Problem::unusable(format!("cannot serve port {}: {why}", options.port));
@@ -125,7 +131,11 @@ mod tests {
     fn files_of_two_folders_are_served_to_this_computer_alone() {
         let folder = tempfile::tempdir().expect("a folder");
         let [page, city] = ["page", "city"].map(|name| folder.path().join(name));
-        for (path, text) in [(page.join("index.html"), "page"), (city.join("tiles/0/a.glb"), "tile"), (folder.path().join("secret"), "x")] {
+        for (path, text) in [
+            (page.join("index.html"), "page"),
+            (city.join("tiles/0/a.glb"), "tile"),
+            (folder.path().join("secret"), "x"),
+        ] {
             std::fs::create_dir_all(path.parent().expect("a folder")).expect("room");
             std::fs::write(path, text).expect("room");
         }

@@ -22,7 +22,7 @@
 //!     for footprint in survey.footprints {
 //!         let frame = Frame::at(footprint.middle());
 //!         let model = house.generate(&footprint.lot(&house, &frame)?)?;
-//!         assert_eq!(model.bounds().high.y, 12.0);
+//!         assert!((model.bounds().high.y - 12.0).abs() < 1e-9);
 //!     }
 //! }
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -33,10 +33,10 @@ fn a_building_that_fails_is_named_and_the_others_stay() {
     let folder = tempfile::tempdir().expect("a folder");
     let (lots, out) = (folder.path().join("town.geojson"), folder.path().join("out"));
     Town::new(100).write(&lots).expect("room");
-    // Halls never end.
+    // Halls end at the limit of nested rules.
     let text = "attr kind = \"home\"  attr height = 3
         Lot --> case kind == \"hall\" : Endless(1) else : extrude(height) X.
-        Endless(n) --> t(0, 0, 0) Endless(n + 1)";
+        Endless(n) --> case n < 0 : X. else : Endless(n + 1)";
     let rules = Rules::new(vec![RuleFile::from_text(text).expect("good rules")]).expect("one file");
     let options = Options { levels: Vec::new(), ..options() };
     let summary = build(&lots, &out, &rules, options, &NoProgress).expect("a city");
