@@ -72,7 +72,9 @@ async function buildingAt(x, y) {
     const ids = await meshFeatures.getFeaturesAsync(hit.faceIndex, weights);
     const tables = meshFeatures.getFeatureInfo().map((info) => info.propertyTable);
     const rows = structuralMetadata.getPropertyTableData(tables, ids);
-    return rows.find((row) => "seed" in row) ?? null;
+    const row = rows.find((row) => "seed" in row);
+    // Seeds have 64 bits.
+    return row ? Object.fromEntries(Object.entries(row).map(([name, value]) => [name, typeof value === "bigint" ? String(value) : value])) : null;
 }
 
 async function show(x, y) {
