@@ -18,15 +18,13 @@ impl Bounds {
 
     /// Grows the box to a point.
     pub fn add(&mut self, point: Vector) {
-        for axis in 0..3 {
-            self.low[axis] = self.low[axis].min(point[axis]);
-            self.high[axis] = self.high[axis].max(point[axis]);
-        }
+        self.low = [0, 1, 2].map(|axis| self.low[axis].min(point[axis]));
+        self.high = [0, 1, 2].map(|axis| self.high[axis].max(point[axis]));
     }
 
     /// True without points.
     pub fn is_empty(&self) -> bool {
-        !(self.low[0] <= self.high[0])
+        self.high[0] < self.low[0]
     }
 
     /// The eight corners.

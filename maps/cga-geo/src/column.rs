@@ -66,9 +66,8 @@ mod tests {
         assert_eq!(ColumnValue::Text(" 7.5 ".into()).to_value(ValueType::Float), Some(Value::Float(7.5)));
         assert_eq!(ColumnValue::Text("tall".into()).to_value(ValueType::Float), None);
         assert_eq!(ColumnValue::Truth(true).to_value(ValueType::Text), Some(Value::from("true")));
-        assert_eq!(
-            ColumnValue::Text("[1,2]".into()).to_value(ValueType::Floats).map(|v| v.to_string()).is_some(),
-            true
-        );
+        let list = ColumnValue::Text("[1,2]".into()).to_value(ValueType::Floats);
+        assert_eq!(list, Value::parse("[1, 2]", ValueType::Floats));
+        assert!(list.is_some());
     }
 }

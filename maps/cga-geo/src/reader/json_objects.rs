@@ -123,33 +123,31 @@ impl<R: BufRead> JsonObjects<R> {
     }
 
     fn part(&mut self) -> Result<Option<Part>, String> {
-        loop {
-            match self.begin()? {
-                None if self.is_list => return Err("the file ends inside of its list of features".to_owned()),
-                None => return Ok(None),
-                Some(b']') if self.is_list => {
-                    // Members after the list do not matter.
-                    self.is_over = true;
-                    return Ok(None);
-                }
-                Some(b'{') => {
-                    self.text.clear();
-                    self.text.push(b'{');
-                    let is_whole = self.object()?;
-                    let mut text = std::mem::take(&mut self.text);
-                    if is_whole {
-                        return Ok(Some(Part::Object(text)));
-                    }
-                    self.is_list = true;
-                    text.extend(b"]}");
-                    return Ok(Some(Part::Head(text)));
-                }
-                Some(first) if self.is_list => {
-                    self.skip(first)?;
-                    return Ok(Some(Part::Broken("it is not an object".to_owned())));
-                }
-                Some(_) => return Err("the file is not GeoJSON: it does not begin with `{`".to_owned()),
+        match self.begin()? {
+            None if self.is_list => Err("the file ends inside of its list of features".to_owned()),
+            None => Ok(None),
+            Some(b']') if self.is_list => {
+                // Members after the list do not matter.
+                self.is_over = true;
+                Ok(None)
             }
+            Some(b'{') => {
+                self.text.clear();
+                self.text.push(b'{');
+                let is_whole = self.object()?;
+                let mut text = std::mem::take(&mut self.text);
+                if is_whole {
+                    return Ok(Some(Part::Object(text)));
+                }
+                self.is_list = true;
+                text.extend(b"]}");
+                Ok(Some(Part::Head(text)))
+            }
+            Some(first) if self.is_list => {
+                self.skip(first)?;
+                Ok(Some(Part::Broken("it is not an object".to_owned())))
+            }
+            Some(_) => Err("the file is not GeoJSON: it does not begin with `{`".to_owned()),
         }
     }
 }
