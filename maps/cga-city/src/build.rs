@@ -25,7 +25,7 @@ use crate::tree::{Piece, TileEvent, TreeLevel, Trees};
 pub struct Options {
     /// Levels of detail for buildings far away, from near to far.
     pub levels: Vec<Level>,
-    /// The most lots of a tile of the near level. Tiles of each further level have sixteen times as many.
+    /// The most lots of a tile of the near level. Tiles of each further level have sixteen times as many, up to 65,536.
     pub lots_per_tile: u64,
     /// The most bytes of a tile with several lots.
     pub most_bytes: u64,
@@ -221,7 +221,8 @@ fn levels(rules: &Rules, options: &Options) -> Result<Vec<TreeLevel>, String> {
     let mut error = LEVEL_ERROR.0;
     let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
     for level in &options.levels {
-        lots = lots.saturating_mul(LEVEL_LOTS);
+        // The footprints of a tile are in memory.
+        lots = lots.saturating_mul(LEVEL_LOTS).min(BLOCK_LOTS.max(lots));
         error = level.error.unwrap_or(error);
         if error <= levels[levels.len() - 1].error {
             return Err(format!("the error of {error} m of a level is not above the error of the nearer level"));
@@ -270,7 +271,7 @@ fn set(tree: &Node) -> Vec<u8> {
     lifted(tree).inner_tileset()
 }
 
-/// What the tiles of a run were.
+/// The tiles of a run.
 #[derive(Default)]
 struct Log {
     levels: Vec<LevelSummary>,

@@ -47,7 +47,7 @@ impl Cell {
 
     /// The longitude and latitude of its middle in degrees.
     pub fn middle(self) -> Corner {
-        let count = f64::from(self.zoom).exp2();
+        let count = (1u64 << self.zoom) as f64;
         let [x, y] = self.place().map(|number| (number as f64 + 0.5) / count);
         let latitude = libm::atan(libm::sinh(std::f64::consts::PI * (1.0 - 2.0 * y)));
         [x * 360.0 - 180.0, latitude.to_degrees()]

@@ -29,7 +29,7 @@ impl Rules {
     /// Rules that are loaded.
     ///
     /// # Errors
-    /// A sentence: there are none, or two have one name.
+    /// A sentence: the list is empty, or two files have one name.
     pub fn new(files: Vec<RuleFile>) -> Result<Self, String> {
         let Some(first) = files.first() else { return Err("a city needs rules".to_owned()) };
         let name = first.name().to_owned();

@@ -37,7 +37,7 @@ pub struct TreeLevel {
     pub error: f64,
 }
 
-/// What happened to a tile.
+/// A tile that is finished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TileEvent<'t> {
     /// Its address in the folder of the city.

@@ -121,7 +121,7 @@ fn bytes_that_are_changed_end_no_run() {
         Town::new(40).write(&path).expect("room");
         let bytes = std::fs::read(&path).expect("the file");
         let mut random = 1u64;
-        for _ in 0..200 {
+        for _ in 0..60 {
             let mut changed = bytes.clone();
             for _ in 0..3 {
                 random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -18,7 +18,7 @@ pub(super) struct Collector {
 }
 
 impl Collector {
-    /// The polygons after all events, or the reason why there are none. `result` is the result of the reader.
+    /// The polygons after all events, or the reason why they are missing. `result` is the result of the reader.
     pub(super) fn outlines(&mut self, result: Result<()>) -> std::result::Result<Vec<Outline>, String> {
         let outlines = std::mem::take(&mut self.outlines);
         match (self.other, result) {

@@ -44,7 +44,11 @@ fn crs(head: &[u8]) -> FileCrs {
 fn row(number: u64, text: &[u8]) -> Row {
     let feature = match std::str::from_utf8(text).map_err(|why| why.to_string()).and_then(feature) {
         Ok(feature) => feature,
-        Err(why) => return Row::new(number, Err(format!("it is not GeoJSON: {why}"))),
+        Err(why) => {
+            let has_nan = text.windows(3).any(|word| word == b"NaN");
+            let hint = if has_nan { "; `NaN` is not JSON" } else { "" };
+            return Row::new(number, Err(format!("it is not GeoJSON: {why}{hint}")));
+        }
     };
     let id = feature.id.as_ref().map(|id| match id {
         ::geojson::feature::Id::String(id) => id.clone(),
