@@ -136,3 +136,21 @@ fn bytes_that_are_changed_end_no_run() {
         }
     }
 }
+
+#[test]
+fn a_feature_with_a_wrong_length_takes_no_memory() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("one.fgb");
+    Town::new(1).write(&path).expect("room");
+    let mut bytes = std::fs::read(&path).expect("the file");
+    // The length of the only feature leads to the end of the file.
+    let is_length =
+        |at: &usize| u32::from_le_bytes(bytes[*at..at + 4].try_into().expect("four")) as usize == bytes.len() - at - 4;
+    let at = (8..bytes.len() - 4).find(is_length).expect("a length");
+    bytes[at..at + 4].copy_from_slice(&(u32::MAX - 9).to_le_bytes());
+    std::fs::write(&path, &bytes).expect("room");
+    let rows: Vec<_> = reader::open(&path, &[]).expect("a map file").rows.collect();
+    assert_eq!(rows.len(), 1);
+    let why = rows[0].outlines.as_ref().expect_err("damaged");
+    assert!(why.contains("after 0 of 1 features: a feature is longer than the rest of the file"), "{why}");
+}

@@ -1,9 +1,10 @@
 //! FlatGeobuf.
 
-use std::io::Read;
+use std::io::{self, BufRead, Read, Seek};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ::flatgeobuf::geozero::FeatureProperties as _;
+use ::flatgeobuf::packed_r_tree::PackedRTree;
 use ::flatgeobuf::{
     FallibleStreamingIterator as _, FeatureIter, FgbFeature, FgbReader, GeozeroGeometry as _, NotSeekable,
 };
@@ -16,8 +17,12 @@ use crate::row::Row;
 ///
 /// # Errors
 /// The file does not begin as FlatGeobuf does.
-pub fn read(input: impl Read + 'static) -> Result<MapFile, String> {
-    let reader = FgbReader::open(input).map_err(|why| format!("it is not FlatGeobuf: {why}"))?;
+pub fn read(mut input: impl BufRead + Seek + 'static) -> Result<MapFile, String> {
+    // The library takes memory for the length that a damaged feature says, up to 4 GB.
+    let (whole, is_cut) = catch_unwind(AssertUnwindSafe(|| whole_features(&mut input)))
+        .unwrap_or_else(|_| Err("it is damaged".to_owned()))?;
+    input.rewind().map_err(|why| why.to_string())?;
+    let reader = FgbReader::open(input).map_err(not_flatgeobuf)?;
     let crs = match reader.header().crs() {
         Some(crs) if 0 < crs.code() && crs.org().is_none_or(|org| org.eq_ignore_ascii_case("EPSG")) => {
             FileCrs::Epsg(crs.code() as u32)
@@ -27,7 +32,37 @@ pub fn read(input: impl Read + 'static) -> Result<MapFile, String> {
     };
     let features = reader.select_all_seq().map_err(|why| format!("it cannot be read: {why}"))?;
     let count = features.features_count().map(|count| count as u64);
-    Ok(MapFile::new(Rows { features, number: 0, count, is_over: false }, crs))
+    Ok(MapFile::new(Rows { features, number: 0, count, whole, is_cut, is_over: false }, crs))
+}
+
+fn not_flatgeobuf(why: ::flatgeobuf::Error) -> String {
+    format!("it is not FlatGeobuf: {why}")
+}
+
+/// The number of features that are whole, and whether another one is longer than the rest of the file.
+fn whole_features(mut input: &mut (impl BufRead + Seek)) -> Result<(u64, bool), String> {
+    let reader = FgbReader::open(&mut input).map_err(not_flatgeobuf)?;
+    let header = reader.header();
+    let (count, node) = (header.features_count() as usize, header.index_node_size());
+    let index = if 0 < node && 0 < count { PackedRTree::index_size(count, node) as u64 } else { 0 };
+    let unread = |why: io::Error| why.to_string();
+    if io::copy(&mut input.by_ref().take(index), &mut io::sink()).map_err(unread)? < index {
+        return Ok((0, true));
+    }
+    let mut features = 0;
+    loop {
+        let mut length = [0; 4];
+        match input.read_exact(&mut length) {
+            Err(why) if why.kind() == io::ErrorKind::UnexpectedEof => return Ok((features, false)),
+            read => read.map_err(unread)?,
+        }
+        let length = u64::from(u32::from_le_bytes(length));
+        let read = io::copy(&mut input.by_ref().take(length), &mut io::sink()).map_err(unread)?;
+        if read < length {
+            return Ok((features, true));
+        }
+        features += 1;
+    }
 }
 
 fn row(number: u64, feature: &FgbFeature) -> Row {
@@ -48,6 +83,10 @@ struct Rows<R> {
     number: u64,
     /// The number of features that the file announces.
     count: Option<u64>,
+    /// The number of features that are whole.
+    whole: u64,
+    /// True if another feature is longer than the rest of the file.
+    is_cut: bool,
     is_over: bool,
 }
 
@@ -67,6 +106,9 @@ impl<R: Read> Iterator for Rows<R> {
     fn next(&mut self) -> Option<Row> {
         if self.is_over {
             return None;
+        }
+        if self.is_cut && self.number == self.whole {
+            return self.end("a feature is longer than the rest of the file");
         }
         match self.features.next() {
             Ok(Some(feature)) => {
