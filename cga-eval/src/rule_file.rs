@@ -48,6 +48,8 @@ pub(crate) struct Loaded {
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
     pub(crate) files: FileList,
+    /// The names and texts of the rule file and of its imports.
+    pub(crate) texts: Vec<(String, String)>,
 }
 
 impl RuleFile {
@@ -59,6 +61,21 @@ impl RuleFile {
     /// The files on the disk that the rules depend on: programs that follow their rules watch them.
     pub fn files(&self) -> &FileList {
         &self.loaded.files
+    }
+
+    /// The names and texts of the rule file and of the files that it imports, sorted by name. A program that keeps results compares them to
+    /// know whether the rules are the same.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let loader = RuleLoader::new().with_file("lib.cga", "Wall --> X.");
+    /// let rules = loader.text("import lib : \"lib.cga\"  Lot --> extrude(5) lib.Wall")?;
+    /// assert_eq!(rules.texts().map(|(name, _)| name).collect::<Vec<_>>(), ["lib.cga", "rules.cga"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn texts(&self) -> impl ExactSizeIterator<Item = (&str, &str)> {
+        self.loaded.texts.iter().map(|(name, text)| (name.as_str(), text.as_str()))
     }
 
     /// Takes the values of attributes that differ from their defaults in another grammar, by name. Returns the names of the values that

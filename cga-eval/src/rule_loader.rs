@@ -225,6 +225,7 @@ impl RuleLoader {
                 program: Arc::new(program),
                 warnings: shown(&warnings),
                 files: files.list().clone(),
+                texts: files.texts(),
             }),
         })
     }

@@ -172,6 +172,13 @@ impl RuleFiles {
         &self.entries[number].text
     }
 
+    /// The names and texts of all files so far, sorted by name.
+    pub fn texts(&self) -> Vec<(String, String)> {
+        let mut texts: Vec<_> = self.entries.iter().map(|file| (file.name.clone(), file.text.clone())).collect();
+        texts.sort_unstable();
+        texts
+    }
+
     /// The files on the disk that the rules so far depend on.
     pub fn list(&self) -> &FileList {
         &self.list

@@ -133,6 +133,22 @@ fn one_building_costs_no_bytes_a_vertex() {
 }
 
 #[test]
+fn the_size_counts_the_vertices_and_indices_of_the_file() {
+    let mut glb = Glb::new();
+    let mut sizes = vec![glb.size()];
+    for number in 0..4 {
+        let _ = grammars().generate(&lot(number)).unwrap().replay(&mut glb);
+        sizes.push(glb.size());
+    }
+    assert!(sizes[0] == 0 && sizes.is_sorted_by(|a, b| a < b), "{sizes:?}");
+    let file = GlbFile::new(&glb.into_bytes().unwrap());
+    let all: u64 =
+        file.json["bufferViews"].as_array().unwrap().iter().map(|view| view["byteLength"].as_u64().unwrap()).sum();
+    // Views of property tables come on top.
+    assert!(sizes[4] <= all && all < sizes[4] + 5_000, "{sizes:?} {all}");
+}
+
+#[test]
 fn leaves_after_the_last_building_have_a_row_too() {
     let model = grammars().generate(&lot(1)).unwrap();
     let mut glb = Glb::new();

@@ -203,6 +203,18 @@ impl Glb {
         self
     }
 
+    /// The bytes of vertices and indices so far. The description, metadata and images come on top. A program that divides its output into
+    /// files can stop when one is full.
+    ///
+    /// ```
+    /// use cga_runtime::output::gltf::Glb;
+    ///
+    /// assert_eq!(Glb::new().size(), 0);
+    /// ```
+    pub fn size(&self) -> u64 {
+        self.bytes
+    }
+
     /// Completes the file.
     ///
     /// # Errors

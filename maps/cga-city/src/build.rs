@@ -1,0 +1,343 @@
+//! A city from rows to the finished folder.
+
+use std::collections::HashSet;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use cga_geo::frame::Frame;
+use cga_geo::row::Row;
+use cga_geo::survey::Surveyor;
+use serde_json::json;
+
+use crate::cell::Cell;
+use crate::level::Level;
+use crate::lots::Sorter;
+use crate::problems::Problems;
+use crate::rules::Rules;
+use crate::tile_file::{TileFile, description, write};
+use crate::tileset::Node;
+use crate::tree::{Piece, TileEvent, TreeLevel, Trees};
+
+/// The choices of a city.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Levels of detail for buildings far away, from near to far.
+    pub levels: Vec<Level>,
+    /// The most lots of a tile of the near level. Tiles of each further level have sixteen times as many, up to 65,536.
+    pub lots_per_tile: u64,
+    /// The most bytes of a tile with several lots.
+    pub most_bytes: u64,
+    /// The number of threads; `None` for one on each processor.
+    pub jobs: Option<usize>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Options { levels: Vec::new(), lots_per_tile: 256, most_bytes: 4 << 20, jobs: None }
+    }
+}
+
+/// The lots of a tile of a level, as a multiple of the level below.
+const LEVEL_LOTS: u64 = 16;
+
+/// The error in metres of the first far level, and the factor to each further one.
+const LEVEL_ERROR: (f64, f64) = (8.0, 4.0);
+
+/// The lots of a block: its tree is in memory and becomes a file of its own.
+const BLOCK_LOTS: u64 = 65_536;
+
+/// The file that marks a folder as a city.
+const MARK: &str = "cga-city.json";
+
+/// The tiles of a level.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LevelSummary {
+    /// The number of tiles with a file.
+    pub tiles: u64,
+    /// The bytes of their files.
+    pub bytes: u64,
+    /// The number of buildings.
+    pub buildings: u64,
+}
+
+/// A finished city in numbers.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Summary {
+    /// The number of rows.
+    pub rows: u64,
+    /// The number of lots: each polygon of a row is one.
+    pub lots: u64,
+    /// The tiles of each level, from near to far.
+    pub levels: Vec<LevelSummary>,
+    /// The number of tiles that this run made.
+    pub made: u64,
+    /// The number of tiles that were finished before.
+    pub kept: u64,
+    /// The number of rows, polygons and buildings that the city does not have.
+    pub lost: u64,
+    /// The number of other problems.
+    pub notes: u64,
+    /// The first problems: losses, then others.
+    pub problems: Vec<String>,
+}
+
+/// Hears how far a city is.
+pub trait Progress: Sync {
+    /// A row was read; the number of rows so far.
+    fn row(&self, _rows: u64) {}
+
+    /// Reading has ended. The tiles of all levels together will have a number of lots.
+    fn read(&self, _lots: u64) {}
+
+    /// A tile is finished. An error ends the run; its tiles are kept for the next one.
+    ///
+    /// # Errors
+    /// Any, to end the run.
+    fn tile(&self, _event: &TileEvent<'_>) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Hears nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoProgress;
+
+impl Progress for NoProgress {}
+
+/// A city whose rows are being read.
+#[derive(Debug)]
+pub struct Build {
+    folder: PathBuf,
+    options: Options,
+    problems: Problems,
+    sorter: Sorter,
+    /// The folder of sorted footprints; it is deleted with this value.
+    _sorted: tempfile::TempDir,
+    rows: u64,
+}
+
+impl Build {
+    /// Begins a city in a folder: a new one, an empty one, or one that has a city.
+    ///
+    /// # Errors
+    /// A sentence about the folder.
+    pub fn begin(folder: &Path, options: Options) -> Result<Self, String> {
+        let unusable = |why: io::Error| format!("cannot write to `{}`: {why}", folder.display());
+        fs::create_dir_all(folder).map_err(unusable)?;
+        let has_mark = folder.join(MARK).is_file();
+        if !has_mark && fs::read_dir(folder).map_err(unusable)?.next().is_some() {
+            return Err(format!(
+                "`{}` has files that are not a city, and old tiles are deleted; name a new folder",
+                folder.display()
+            ));
+        }
+        let mark = json!({ "generator": concat!("cga-city ", env!("CARGO_PKG_VERSION")) });
+        write(&folder.join(MARK), format!("{mark}\n").as_bytes()).map_err(unusable)?;
+        // A run that was stopped leaves such folders.
+        for entry in fs::read_dir(folder).map_err(unusable)? {
+            let path = entry.map_err(unusable)?.path();
+            if path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(".lots-")) {
+                fs::remove_dir_all(&path).map_err(unusable)?;
+            }
+        }
+        let sorted = tempfile::Builder::new().prefix(".lots-").tempdir_in(folder).map_err(unusable)?;
+        let problems = Problems::create(&folder.join("problems.jsonl")).map_err(unusable)?;
+        let sorter = Sorter::new(sorted.path());
+        Ok(Build { folder: folder.to_owned(), options, problems, sorter, _sorted: sorted, rows: 0 })
+    }
+
+    /// Adds the rows of a file.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn add(
+        &mut self,
+        file: &str,
+        rows: impl Iterator<Item = Row>,
+        surveyor: &Surveyor<'_>,
+        progress: &dyn Progress,
+    ) -> io::Result<()> {
+        for row in rows {
+            let survey = surveyor.survey(row);
+            for problem in &survey.problems {
+                self.problems.of_row(file, problem.row, &problem.id, problem.is_lost, &problem.reason)?;
+            }
+            survey.footprints.iter().try_for_each(|footprint| self.sorter.add(footprint))?;
+            self.rows += 1;
+            progress.row(self.rows);
+        }
+        Ok(())
+    }
+
+    /// Makes the tiles, and deletes tiles of older runs that do not belong to the city.
+    ///
+    /// # Errors
+    /// A sentence: a level does not fit the rules, or an error of the file system.
+    pub fn finish(self, rules: &Rules, progress: &dyn Progress) -> Result<Summary, String> {
+        let Build { folder, options, mut problems, sorter, _sorted, rows } = self;
+        let levels = levels(rules, &options)?;
+        let unusable = |why: io::Error| format!("cannot make the tiles in `{}`: {why}", folder.display());
+        let lots = sorter.finish().map_err(unusable)?;
+        progress.read(lots.len() * levels.len() as u64);
+        let mut pool = rayon::ThreadPoolBuilder::new();
+        if let Some(jobs) = options.jobs {
+            pool = pool.num_threads(jobs);
+        }
+        // Rules may be nested deeply.
+        let pool = pool.stack_size(16 << 20).build().map_err(|why| format!("cannot start threads: {why}"))?;
+        let log = Mutex::new(Log { levels: vec![LevelSummary::default(); levels.len()], ..Log::default() });
+        let each = |event: &TileEvent<'_>| {
+            log.lock().unwrap_or_else(PoisonError::into_inner).add(event);
+            progress.tile(event)
+        };
+        let trees =
+            Trees { lots: &lots, levels: &levels, folder: &folder, most_bytes: options.most_bytes, each: &each };
+        let blocks = |problems: &mut Problems| -> io::Result<()> {
+            let root = root(&trees, &log, problems)?;
+            write(&folder.join("tileset.json"), &root.tileset())?;
+            problems.finish()
+        };
+        pool.install(|| blocks(&mut problems)).map_err(unusable)?;
+        let log = log.into_inner().unwrap_or_else(PoisonError::into_inner);
+        delete_others(&folder, &log.names).map_err(unusable)?;
+        Ok(Summary {
+            rows,
+            lots: lots.len(),
+            levels: log.levels,
+            made: log.made,
+            kept: log.kept,
+            lost: problems.lost,
+            notes: problems.notes,
+            problems: problems.first.concat(),
+        })
+    }
+}
+
+fn levels(rules: &Rules, options: &Options) -> Result<Vec<TreeLevel>, String> {
+    let near = Level { error: Some(0.0), ..Level::default() };
+    let mut lots = options.lots_per_tile.max(1);
+    let mut error = LEVEL_ERROR.0;
+    let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
+    for level in &options.levels {
+        // The footprints of a tile are in memory.
+        lots = lots.saturating_mul(LEVEL_LOTS).min(BLOCK_LOTS.max(lots));
+        error = level.error.unwrap_or(error);
+        if error <= levels[levels.len() - 1].error {
+            return Err(format!("the error of {error} m of a level is not above the error of the nearer level"));
+        }
+        levels.push(TreeLevel { rules: rules.at(level)?, lots, error });
+        error *= LEVEL_ERROR.1;
+    }
+    Ok(levels)
+}
+
+/// The root of the city: a child for each block, whose tree is in a file of its own.
+fn root(trees: &Trees<'_>, log: &Mutex<Log>, problems: &mut Problems) -> io::Result<Node> {
+    let Some(all) = trees.piece(0..trees.lots.len())? else {
+        return Ok(Node::around(Frame::at(Cell::WORLD.middle()), Vec::new()));
+    };
+    let frame = Frame::at(all.cell.middle());
+    let farthest = trees.levels.len() - 1;
+    let blocks = trees.cut(all, BLOCK_LOTS.max(trees.levels[farthest].lots))?;
+    let mut children = Vec::new();
+    for block in blocks {
+        let Piece { cell, .. } = block;
+        let nodes = trees.nodes(block, farthest)?;
+        let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
+        log.write_problems(problems)?;
+        if nodes.is_empty() {
+            continue;
+        }
+        let tree = Node::around(Frame::at(cell.middle()), nodes);
+        let name = format!("sets/{cell}.json");
+        write(&trees.folder.join(&name), &set(&tree))?;
+        log.names.insert(hash(&name));
+        children.push(Node { content: Some(name), children: Vec::new(), ..tree });
+    }
+    Ok(Node::around(frame, children))
+}
+
+/// The file of a block. Its folder is three folders below the city.
+fn set(tree: &Node) -> Vec<u8> {
+    fn lifted(node: &Node) -> Node {
+        Node {
+            content: node.content.as_ref().map(|name| format!("../../../{name}")),
+            children: node.children.iter().map(lifted).collect(),
+            ..node.clone()
+        }
+    }
+    lifted(tree).inner_tileset()
+}
+
+/// The tiles of a run.
+#[derive(Default)]
+struct Log {
+    levels: Vec<LevelSummary>,
+    made: u64,
+    kept: u64,
+    /// The hashes of the names of all files of the city.
+    names: HashSet<u64>,
+    /// The tiles with problems, since the last block.
+    problems: Vec<(String, TileFile)>,
+}
+
+impl Log {
+    fn add(&mut self, event: &TileEvent<'_>) {
+        let TileEvent { name, level, tile, was_finished, .. } = event;
+        *(if *was_finished { &mut self.kept } else { &mut self.made }) += 1;
+        self.names.extend([hash(name), hash(&description(Path::new(name)).to_string_lossy())]);
+        if !tile.problems.is_empty() {
+            self.problems.push(((*name).to_owned(), (*tile).clone()));
+        }
+        let summary = &mut self.levels[*level];
+        summary.tiles += u64::from(0 < tile.bytes);
+        summary.bytes += tile.bytes;
+        summary.buildings += tile.buildings;
+    }
+
+    /// Writes the problems of the tiles, in the order of their names.
+    fn write_problems(&mut self, out: &mut Problems) -> io::Result<()> {
+        self.problems.sort_by(|(a, _), (b, _)| a.cmp(b));
+        for (name, tile) in self.problems.drain(..) {
+            for problem in &tile.problems {
+                out.of_building(&name, &problem.id, problem.is_lost, &problem.reason)?;
+            }
+            if 0 < tile.problems_left_out {
+                out.further(&name, tile.problems_left_out)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn hash(name: &str) -> u64 {
+    let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(name.replace('\\', "/").as_bytes()).as_bytes();
+    u64::from_le_bytes([a, b, c, d, e, f, g, h])
+}
+
+/// Deletes files of tiles and blocks of earlier runs, and folders that become empty.
+fn delete_others(folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
+    for part in ["tiles", "sets"] {
+        let path = folder.join(part);
+        if path.is_dir() {
+            delete_below(folder, &path, names)?;
+        }
+    }
+    Ok(())
+}
+
+fn delete_below(root: &Path, folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            delete_below(root, &path, names)?;
+            // A folder with files stays.
+            let _ = fs::remove_dir(&path);
+        } else if !names.contains(&hash(&path.strip_prefix(root).unwrap_or(&path).to_string_lossy())) {
+            fs::remove_file(&path)?;
+        }
+    }
+    Ok(())
+}

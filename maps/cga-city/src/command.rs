@@ -1,0 +1,141 @@
+//! Makes a city.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Instant;
+
+use cga_city::build::{Build, Options, Summary};
+use cga_city::rules::Rules;
+use cga_geo::crs::{Crs, WGS_84};
+use cga_geo::reader::{self, FileCrs};
+use cga_geo::survey::{Columns, Surveyor};
+use cga_geo::terrain::{AsciiGrid, Terrain};
+
+use crate::options::CityOptions;
+use crate::progress_bar::ProgressBar;
+use crate::stream::say;
+use crate::{Problem, Status};
+
+pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
+    let begun = Instant::now();
+    let rules = rules(options)?;
+    let Some(out) = &options.out else { return Err(Problem::unusable("`--out` is missing")) };
+    let columns = columns(options, &rules)?;
+    let terrain = options.terrain.as_deref().map(terrain).transpose().map_err(Problem::unusable)?;
+    let choices = Options {
+        levels: options.lod.clone(),
+        lots_per_tile: options.tile_lots,
+        most_bytes: options.tile_size << 10,
+        jobs: options.jobs.map(|jobs| jobs as usize),
+    };
+    // Wrong levels are reported before a file is read.
+    for level in &options.lod {
+        rules.at(level).map_err(|why| Problem::unusable(format!("--lod: {why}")))?;
+    }
+    let files = options.lots.iter().map(|path| open(path, options, &columns, &rules)).collect::<Result<Vec<_>, _>>()?;
+    let bar = ProgressBar::new(options.quiet);
+    let mut build = Build::begin(out, choices).map_err(Problem::unusable)?;
+    for (path, (rows, crs)) in options.lots.iter().zip(files) {
+        let mut surveyor = Surveyor::new(rules.grammars(), columns.clone()).crs(crs);
+        if let Some(terrain) = &terrain {
+            surveyor = surveyor.terrain(terrain.clone());
+        }
+        let added = build.add(&path.to_string_lossy(), rows, &surveyor, &bar);
+        added.map_err(|why| Problem::unusable(format!("cannot write to `{}`: {why}", out.display())))?;
+    }
+    let summary = build.finish(&rules, &bar);
+    bar.finish();
+    let summary = summary.map_err(Problem::failed)?;
+    tell(&summary, out, begun.elapsed().as_secs_f64());
+    let is_denied = options.deny_lost && 0 < summary.lost;
+    if summary.lots == 0 {
+        return Err(Problem::failed("the city is empty: no row has a polygon that can be used"));
+    }
+    Ok(if is_denied { Status::Failed } else { Status::Success })
+}
+
+/// The rules with the values of the command.
+fn rules(options: &CityOptions) -> Result<Rules, Problem> {
+    if let Some(missing) = options.rules.iter().find(|path| !path.is_file()) {
+        return Err(Problem::unusable(format!("cannot read `{}`: it is not a file", missing.display())));
+    }
+    let mut rules = Rules::open(&options.rules).map_err(Problem::failed)?;
+    rules.warnings().for_each(|warning| say(format_args!("{warning}\n")));
+    if let Some(folder) = &options.assets {
+        rules = rules.with_assets(folder).map_err(Problem::unusable)?;
+    }
+    for (name, value) in &options.values {
+        rules.set(name, value).map_err(|why| Problem::unusable(format!("--set {name}: {why}")))?;
+    }
+    Ok(rules)
+}
+
+fn columns(options: &CityOptions, rules: &Rules) -> Result<Columns, Problem> {
+    let named = options.attributes.iter().map(|(_, name)| name).chain(&options.footing);
+    for name in named {
+        let has = |grammar: &&dyn cga::Grammar| grammar.attributes().iter().any(|attribute| attribute.name.is(name));
+        if !rules.grammars().iter().any(has) {
+            return Err(Problem::unusable(format!(
+                "`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"
+            )));
+        }
+    }
+    Ok(Columns {
+        id: options.id.clone(),
+        grammar: options.grammar_column.clone(),
+        start: options.start_column.clone(),
+        attributes: options.attributes.clone(),
+        footing: options.footing.clone(),
+    })
+}
+
+type Opened = (Box<dyn Iterator<Item = cga_geo::row::Row>>, Crs);
+
+/// The rows of a file, and their coordinate system.
+fn open(path: &Path, options: &CityOptions, columns: &Columns, rules: &Rules) -> Result<Opened, Problem> {
+    let unread = |why: String| Problem::unusable(format!("cannot read `{}`: {why}", path.display()));
+    let file = reader::open(path, &columns.names(&rules.grammars())).map_err(unread)?;
+    let code = match (options.crs, &file.crs) {
+        (Some(given), _) => given.0,
+        (None, FileCrs::Epsg(code)) => *code,
+        (None, FileCrs::None) => WGS_84,
+        (None, FileCrs::Unknown(name)) => {
+            return Err(unread(format!(
+                "its coordinate system `{name}` has no code; name it, as in `--crs EPSG:25832`"
+            )));
+        }
+    };
+    let crs = Crs::from_epsg(code).map_err(|why| unread(format!("{why}; name another one with `--crs`")))?;
+    Ok((file.rows, crs))
+}
+
+fn terrain(path: &Path) -> Result<Arc<dyn Terrain>, String> {
+    let unread = |why: String| format!("cannot read `{}`: {why}", path.display());
+    let file = std::fs::File::open(path).map_err(|why| unread(why.to_string()))?;
+    let grid = AsciiGrid::read(std::io::BufReader::new(file)).map_err(unread)?;
+    Ok(Arc::new(grid))
+}
+
+/// Says what was made, for a person who waits.
+fn tell(summary: &Summary, out: &Path, seconds: f64) {
+    let Summary { rows, lots, levels, made, kept, lost, notes, problems } = summary;
+    problems.iter().for_each(say);
+    let shown = problems.len() as u64;
+    if shown < lost + notes {
+        say(format_args!("… and {} more, in {}", lost + notes - shown, out.join("problems.jsonl").display()));
+    }
+    for (number, level) in levels.iter().enumerate() {
+        let name = if number == 0 { "near".to_owned() } else { format!("far {number}") };
+        let each = level.bytes as f64 / level.buildings.max(1) as f64;
+        say(format_args!(
+            "{name}: {} tiles, {} buildings, {:.1} MB, {each:.0} bytes a building",
+            level.tiles,
+            level.buildings,
+            level.bytes as f64 / 1e6
+        ));
+    }
+    say(format_args!(
+        "{rows} rows, {lots} lots, {lost} lost, {notes} notes; {made} tiles made, {kept} kept, in {seconds:.1} s; wrote `{}`",
+        out.join("tileset.json").display()
+    ));
+}

@@ -1,0 +1,214 @@
+//! The rules of a city: one grammar or several, with values for each level of detail.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use cga::{Assets, Grammar, Grammars, RuleFile, RuleLoader, Settings, WrongLots};
+
+use crate::level::Level;
+
+/// Loaded rules.
+#[derive(Clone, Debug)]
+pub struct Rules {
+    files: Vec<RuleFile>,
+    assets: Arc<Assets>,
+    /// The contents of the files and of the folder of assets.
+    digest: [u8; 32],
+}
+
+impl Rules {
+    /// Loads rule files. The first has all lots that name none; a column names the others by the names of their files without ending.
+    ///
+    /// # Errors
+    /// A sentence about a file, or the errors of its rules.
+    pub fn open<P: AsRef<Path>>(paths: &[P]) -> Result<Self, String> {
+        let open = |path: &P| RuleLoader::new().open(path).map_err(|error| error.to_string());
+        Rules::new(paths.iter().map(open).collect::<Result<_, _>>()?)
+    }
+
+    /// Rules that are loaded.
+    ///
+    /// # Errors
+    /// A sentence: the list is empty, or two files have one name.
+    pub fn new(files: Vec<RuleFile>) -> Result<Self, String> {
+        let Some(first) = files.first() else { return Err("a city needs rules".to_owned()) };
+        let name = first.name().to_owned();
+        if let Some(twice) =
+            (1..files.len()).find(|at| files[..*at].iter().any(|file| file.name() == files[*at].name()))
+        {
+            return Err(format!("two rule files have the name `{}`; `{name}` is the first file", files[twice].name()));
+        }
+        let mut rules = Rules { files, assets: Arc::default(), digest: [0; 32] };
+        rules.digest = rules.digest_of(&[]);
+        Ok(rules)
+    }
+
+    /// Inserts meshes and images of a folder.
+    ///
+    /// # Errors
+    /// A sentence about a file of the folder.
+    pub fn with_assets(mut self, folder: &Path) -> Result<Self, String> {
+        let mut contents = Vec::new();
+        contents_of(folder, folder, &mut contents)
+            .map_err(|why| format!("cannot read `{}`: {why}", folder.display()))?;
+        contents.sort_unstable();
+        self.digest = self.digest_of(&contents);
+        self.assets = Arc::new(Assets::below(folder));
+        Ok(self)
+    }
+
+    /// Sets an attribute in all files that have it.
+    ///
+    /// # Errors
+    /// No file has it, or one refuses the value.
+    pub fn set(&mut self, name: &str, value: &str) -> Result<(), String> {
+        set(&mut self.files, name, value)
+    }
+
+    /// The grammars.
+    pub fn grammars(&self) -> Vec<&dyn Grammar> {
+        self.files.iter().map(|file| file as &dyn Grammar).collect()
+    }
+
+    /// The warnings about the rules.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().flat_map(|file| file.warnings()).map(String::as_str)
+    }
+
+    /// The rules of a level.
+    ///
+    /// # Errors
+    /// A start rule or an attribute that no file has, or a value that one refuses.
+    pub fn at(&self, level: &Level) -> Result<LevelRules, String> {
+        let mut files = self.files.clone();
+        level.values.iter().try_for_each(|(name, value)| set(&mut files, name, value))?;
+        if let Some(start) = &level.start {
+            for file in &files {
+                if !file.start_rules().iter().any(|rule| rule.name.is(start)) {
+                    let known: Vec<&str> = file.start_rules().iter().map(|rule| rule.name.as_str()).collect();
+                    return Err(format!(
+                        "`{start}` is not a start rule of `{}`; its start rules are {}",
+                        file.name(),
+                        known.join(", ")
+                    ));
+                }
+            }
+        }
+        let mut digest = blake3::Hasher::new();
+        digest.update(&self.digest).update(format!("{:?}", level.start).as_bytes());
+        for attribute in
+            files.iter().flat_map(|file| file.attributes().iter().map(move |attribute| file.get(&attribute.name).ok()))
+        {
+            digest.update(format!("{attribute:?};").as_bytes());
+        }
+        let settings = Settings {
+            start: level.start.clone(),
+            assets: self.assets.clone(),
+            wrong_lots: WrongLots::Fault,
+            ..Settings::default()
+        };
+        let first = files[0].clone();
+        let grammars = files.into_iter().fold(Grammars::new(), Grammars::with);
+        Ok(LevelRules { first, grammars, settings, digest: *digest.finalize().as_bytes() })
+    }
+
+    fn digest_of(&self, assets: &[(String, [u8; 32])]) -> [u8; 32] {
+        let mut digest = blake3::Hasher::new();
+        let mut add = |bytes: &[u8]| {
+            digest.update(&(bytes.len() as u64).to_le_bytes()).update(bytes);
+        };
+        for file in &self.files {
+            add(file.name().as_bytes());
+            // Where the files are does not matter.
+            file.texts().for_each(|(_, text)| add(text.as_bytes()));
+        }
+        for (name, content) in assets {
+            add(name.as_bytes());
+            add(content);
+        }
+        *digest.finalize().as_bytes()
+    }
+}
+
+/// The rules of a level of detail.
+#[derive(Clone, Debug)]
+pub struct LevelRules {
+    first: RuleFile,
+    /// The grammars with the values of the level.
+    pub grammars: Grammars,
+    /// The settings of all runs.
+    pub settings: Settings,
+    /// The digest of rules, values and assets.
+    pub digest: [u8; 32],
+}
+
+impl LevelRules {
+    /// The grammar of a lot with a name, or without one.
+    pub fn grammar(&self, name: Option<&str>) -> &dyn Grammar {
+        match name.and_then(|name| self.grammars.get(name)) {
+            Some(grammar) => grammar,
+            None => &self.first,
+        }
+    }
+}
+
+fn set(files: &mut [RuleFile], name: &str, value: &str) -> Result<(), String> {
+    let has = |file: &RuleFile| file.attributes().iter().any(|attribute| attribute.name.is(name));
+    if files.iter().any(has) {
+        let set = |file: &mut RuleFile| file.set_text(name, value).map_err(|why| why.to_string());
+        return files.iter_mut().filter(|file| has(file)).try_for_each(set);
+    }
+    // The message of the first file names similar attributes.
+    files[0].set_text(name, value).map_err(|why| why.to_string())
+}
+
+/// The names and digests of all files below a folder.
+fn contents_of(root: &Path, folder: &Path, contents: &mut Vec<(String, [u8; 32])>) -> std::io::Result<()> {
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            contents_of(root, &path, contents)?;
+        } else if path.is_file() {
+            let mut hasher = blake3::Hasher::new();
+            hasher.update_reader(std::fs::File::open(&path)?)?;
+            let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().replace('\\', "/");
+            contents.push((name, *hasher.finalize().as_bytes()));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rules(text: &str) -> Rules {
+        Rules::new(vec![RuleFile::from_text(text).expect("good rules")]).expect("one file")
+    }
+
+    const HOUSE: &str =
+        "attr height = 9  @StartRule Lot --> extrude(height) X.  @StartRule Block --> extrude(height) Y.";
+
+    #[test]
+    fn digests_follow_rules_values_and_start_rules() {
+        let near = Level::default();
+        let digest = |rules: &Rules, level: &Level| rules.at(level).expect("known").digest;
+        let first = digest(&rules(HOUSE), &near);
+        assert_eq!(digest(&rules(HOUSE), &near), first);
+        assert_ne!(digest(&rules(&HOUSE.replace("X.", "Z.")), &near), first);
+        assert_ne!(digest(&rules(HOUSE), &"height=3".parse().unwrap()), first);
+        assert_ne!(digest(&rules(HOUSE), &"Block".parse().unwrap()), first);
+        let mut set = rules(HOUSE);
+        set.set("height", "12").expect("an attribute");
+        assert_ne!(digest(&set, &near), first);
+    }
+
+    #[test]
+    fn wrong_levels_are_named() {
+        let rules = rules(HOUSE);
+        let error = |level: &str| rules.at(&level.parse().unwrap()).err().unwrap();
+        assert!(error("Blok").contains("its start rules are Lot, Block"), "{}", error("Blok"));
+        assert!(error("hight=3").contains("height"), "{}", error("hight=3"));
+        assert!(error("height=tall").contains("tall"), "{}", error("height=tall"));
+    }
+}

@@ -1,0 +1,52 @@
+//! A town of made-up outlines, for a first try.
+
+use std::path::Path;
+
+use cga_geo::synthetic::Town;
+
+use crate::options::{CityOptions, OutlineOptions};
+use crate::stream::say;
+use crate::{Problem, Status, command};
+
+/// The rules of the town.
+const RULES: &str = include_str!("../rules/town.cga");
+
+/// The number of lots.
+const ROWS: u64 = 2000;
+
+/// Writes outlines and rules in the folder `town`, makes the tiles, and says what to type next.
+pub(crate) fn town(options: CityOptions) -> Result<Status, Problem> {
+    let folder = Path::new("town");
+    let [lots, rules, out] = ["town.geojson", "town.cga", "tiles"].map(|name| folder.join(name));
+    let unwritten = |why: std::io::Error| Problem::unusable(format!("cannot write to `{}`: {why}", folder.display()));
+    std::fs::create_dir_all(folder).map_err(unwritten)?;
+    // Rules that were changed stay.
+    if !rules.exists() {
+        std::fs::write(&rules, RULES).map_err(unwritten)?;
+    }
+    Town { broken: 400, ..Town::new(ROWS) }.write(&lots).map_err(Problem::unusable)?;
+    say(format_args!(
+        "wrote {ROWS} made-up outlines to {} and rules to {}; some outlines are broken",
+        lots.display(),
+        rules.display()
+    ));
+    let mut options = CityOptions { lots: vec![lots], rules: vec![rules], out: Some(out), ..options };
+    if options.lod.is_empty() {
+        options.lod = ["Block".parse().map_err(Problem::unusable)?].into();
+    }
+    let status = command::city(&options)?;
+    say("\nNext: change the rules or a value, and type");
+    say("  cga-city town/town.geojson --rules town/town.cga --out town/tiles --lod Block --set slope=50");
+    say("  cga-city view town/tiles");
+    say("or take a map of your own: cga-city LOTS --rules RULES.cga --out DIR; `cga-city --help` has all options");
+    Ok(status)
+}
+
+/// Writes a file of outlines.
+pub(crate) fn outlines(options: &OutlineOptions) -> Result<Status, Problem> {
+    let OutlineOptions { file, rows, seed, broken } = options;
+    let town = Town { seed: *seed, broken: *broken, ..Town::new(*rows) };
+    town.write(file).map_err(Problem::unusable)?;
+    say(format_args!("wrote {rows} outlines to {}", file.display()));
+    Ok(Status::Success)
+}

@@ -1,0 +1,176 @@
+//! The tree of a block of lots: pieces of the curve, their tiles, and the nodes of the tileset.
+
+use std::io;
+use std::ops::Range;
+use std::path::Path;
+
+use cga_geo::frame::Frame;
+use rayon::prelude::*;
+
+use crate::cell::Cell;
+use crate::content::content;
+use crate::glb_bounds::Bounds;
+use crate::lots::Lots;
+use crate::rules::LevelRules;
+use crate::tile_file::TileFile;
+use crate::tileset::Node;
+
+/// A piece of the curve: neighbouring lots, and the smallest cell around their centroids.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// The numbers of its lots.
+    pub lots: Range<u64>,
+    /// The cell.
+    pub cell: Cell,
+    /// For lots that are all in one smallest cell, the way to this piece by halves.
+    half: String,
+}
+
+/// A level of the tree.
+#[derive(Debug)]
+pub struct TreeLevel {
+    /// The rules.
+    pub rules: LevelRules,
+    /// The most lots of a piece.
+    pub lots: u64,
+    /// The error in metres where a tile of this level is shown.
+    pub error: f64,
+}
+
+/// A tile that is finished.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TileEvent<'t> {
+    /// Its address in the folder of the city.
+    pub name: &'t str,
+    /// The number of its level, 0 for the near one.
+    pub level: usize,
+    /// Its description.
+    pub tile: &'t TileFile,
+    /// True if it was finished before this run.
+    pub was_finished: bool,
+    /// The number of its lots.
+    pub lots: u64,
+}
+
+/// The maker of trees.
+#[derive(Clone, Copy)]
+pub struct Trees<'c> {
+    /// All lots.
+    pub lots: &'c Lots,
+    /// The levels, from near to far.
+    pub levels: &'c [TreeLevel],
+    /// The folder of the city.
+    pub folder: &'c Path,
+    /// The most bytes of a tile with several lots.
+    pub most_bytes: u64,
+    /// Hears of each tile, from several threads. An error ends the run.
+    pub each: &'c (dyn Fn(&TileEvent<'_>) -> io::Result<()> + Sync),
+}
+
+impl Trees<'_> {
+    /// The piece of a range of lots, if it has some.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn piece(&self, lots: Range<u64>) -> io::Result<Option<Piece>> {
+        if lots.is_empty() {
+            return Ok(None);
+        }
+        let cell = Cell::around(self.lots.key(lots.start)?, self.lots.key(lots.end - 1)?);
+        Ok(Some(Piece { lots, cell, half: String::new() }))
+    }
+
+    /// The largest pieces with at most a number of lots.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn cut(&self, piece: Piece, most: u64) -> io::Result<Vec<Piece>> {
+        if piece.lots.end - piece.lots.start <= most.max(1) {
+            return Ok(vec![piece]);
+        }
+        let mut pieces = Vec::new();
+        for part in self.divided(&piece)? {
+            pieces.extend(self.cut(part, most)?);
+        }
+        Ok(pieces)
+    }
+
+    /// The parts of a piece with several lots: its quarters, or halves of its lots if they are all at one place.
+    fn divided(&self, piece: &Piece) -> io::Result<Vec<Piece>> {
+        let Range { start, end } = piece.lots;
+        let Some(quarters) = piece.cell.quarters() else {
+            let middle = start + (end - start) / 2;
+            let half = |lots, name: &str| Piece { lots, cell: piece.cell, half: format!("{}{name}", piece.half) };
+            return Ok(vec![half(start..middle, "a"), half(middle..end, "b")]);
+        };
+        let mut parts = Vec::new();
+        let mut from = start;
+        for quarter in quarters {
+            let to = self.lots.before(quarter.keys().end, from..end)?;
+            parts.extend(self.piece(from..to)?);
+            from = to;
+        }
+        Ok(parts)
+    }
+
+    /// The nodes of a piece at a level and the nearer ones.
+    ///
+    /// # Errors
+    /// Errors of the file system, and an error of [`each`](Trees::each).
+    pub fn nodes(&self, piece: Piece, level: usize) -> io::Result<Vec<Node>> {
+        let pieces = self.cut(piece, self.levels[level].lots)?;
+        let nodes: Vec<Vec<Node>> =
+            pieces.into_par_iter().map(|piece| self.node(piece, level)).collect::<io::Result<_>>()?;
+        Ok(nodes.into_iter().flatten().collect())
+    }
+
+    /// The node of a piece, or the nodes of its parts if it has too many bytes.
+    fn node(&self, piece: Piece, level: usize) -> io::Result<Vec<Node>> {
+        let (tile, name, frame) = self.tile(&piece, level)?;
+        if tile.is_divided {
+            let parts = self.divided(&piece)?;
+            let nodes: Vec<Vec<Node>> =
+                parts.into_par_iter().map(|part| self.node(part, level)).collect::<io::Result<_>>()?;
+            return Ok(nodes.into_iter().flatten().collect());
+        }
+        let children = if level == 0 { Vec::new() } else { self.nodes(piece, level - 1)? };
+        let bounds = tile.bounds.map_or(Bounds::EMPTY, |[low, high]| Bounds { low, high });
+        let content = (0 < tile.bytes).then_some(name);
+        let mut node = Node { frame, bounds, error: self.levels[level].error, content, children };
+        node.grow();
+        // Lots without faces have no node.
+        Ok(if node.bounds.is_empty() { Vec::new() } else { vec![node] })
+    }
+
+    /// The tile of a piece: from the disk if it is finished, otherwise made now.
+    fn tile(&self, piece: &Piece, level: usize) -> io::Result<(TileFile, String, Frame)> {
+        let Piece { lots, cell, half } = piece;
+        let name = format!("tiles/{level}/{cell}{half}.glb");
+        let (path, frame) = (self.folder.join(&name), Frame::at(cell.middle()));
+        let digest = self.digest(piece, level)?;
+        let finished = TileFile::finished(&path, &digest);
+        let was_finished = finished.is_some();
+        let tile = match finished {
+            Some(tile) => tile,
+            None => {
+                let footprints = self.lots.footprints(lots.clone())?;
+                let made = content(&footprints, &frame, &self.levels[level].rules, self.most_bytes);
+                TileFile::write(&path, digest, made)?
+            }
+        };
+        (self.each)(&TileEvent { name: &name, level, tile: &tile, was_finished, lots: lots.end - lots.start })?;
+        Ok((tile, name, frame))
+    }
+
+    /// The digest of all that a tile depends on.
+    fn digest(&self, piece: &Piece, level: usize) -> io::Result<String> {
+        let mut digest = blake3::Hasher::new();
+        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 1").as_bytes());
+        digest.update(&self.levels[level].rules.digest).update(&self.most_bytes.to_le_bytes());
+        digest.update(piece.cell.to_string().as_bytes());
+        for entry in self.lots.entries(piece.lots.clone())? {
+            digest.update(&entry.digest);
+        }
+        Ok(digest.finalize().to_hex().to_string())
+    }
+}

@@ -1,0 +1,9 @@
+//! Cities of made-up outlines: the same bytes from all formats and after interrupted runs, tilesets and GLB files read back.
+
+mod formats;
+mod glb;
+mod hostile;
+mod levels;
+mod resumed;
+mod town;
+mod validator;

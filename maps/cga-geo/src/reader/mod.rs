@@ -1,0 +1,104 @@
+//! Readers of map files: one row after another, in the order of the file and with little memory.
+//!
+//! A row that cannot be read is a row with a reason. A damaged file ends with such a row, so none is lost silently.
+
+#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+mod collector;
+#[cfg(feature = "flatgeobuf")]
+pub mod flatgeobuf;
+#[cfg(feature = "geojson")]
+pub mod geojson;
+#[cfg(feature = "geoparquet")]
+pub mod geoparquet;
+#[cfg(feature = "geojson")]
+mod json_objects;
+#[cfg(feature = "shapefile")]
+pub mod shapefile;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
+
+use crate::row::Row;
+
+/// The rows of a file.
+pub struct MapFile {
+    /// The rows in the order of the file.
+    pub rows: Box<dyn Iterator<Item = Row>>,
+    /// The coordinate system that the file names.
+    pub crs: FileCrs,
+}
+
+impl MapFile {
+    /// A file whose rows end with a reason if the library of its format panics, as some do for damaged files.
+    fn new(rows: impl Iterator<Item = Row> + 'static, crs: FileCrs) -> Self {
+        MapFile { rows: Box::new(Guarded { rows, number: 0, is_over: false }), crs }
+    }
+}
+
+/// Rows of a library that may panic.
+struct Guarded<I> {
+    rows: I,
+    /// The number of the next row.
+    number: u64,
+    is_over: bool,
+}
+
+impl<I: Iterator<Item = Row>> Iterator for Guarded<I> {
+    type Item = Row;
+
+    fn next(&mut self) -> Option<Row> {
+        if self.is_over {
+            return None;
+        }
+        let row = catch_unwind(AssertUnwindSafe(|| self.rows.next())).unwrap_or_else(|_| {
+            self.is_over = true;
+            Some(Row::new(self.number, Err("the file is damaged, and ends here".to_owned())))
+        })?;
+        self.number = row.number + 1;
+        Some(row)
+    }
+}
+
+/// The coordinate system of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FileCrs {
+    /// The format or the file has a code of EPSG. Longitude and latitude on WGS 84 are 4326.
+    Epsg(u32),
+    /// The file has a coordinate system without a code.
+    Unknown(String),
+    /// The file has none.
+    None,
+}
+
+/// The endings of files that [`open`] reads.
+pub const ENDINGS: &str = ".geojson, .json, .geojsonl, .fgb, .shp and .parquet";
+
+/// Opens a file by its ending. `columns` are the names of the columns that the caller needs: GeoParquet reads no others.
+///
+/// # Errors
+/// A sentence: the ending is another one, or the file cannot be read.
+pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
+    let _ = columns;
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    match ending.as_str() {
+        #[cfg(feature = "geojson")]
+        "geojson" | "json" | "geojsonl" | "geojsons" | "ndjson" => geojson::read(file(path)?),
+        #[cfg(feature = "flatgeobuf")]
+        "fgb" => flatgeobuf::read(file(path)?),
+        #[cfg(feature = "shapefile")]
+        "shp" => shapefile::open(path),
+        #[cfg(feature = "geoparquet")]
+        "parquet" | "geoparquet" => geoparquet::open(path, columns),
+        _ => Err(format!("its name ends in none of {ENDINGS}")),
+    }
+}
+
+/// A file to read. A device may never end.
+#[cfg(any(feature = "geojson", feature = "flatgeobuf"))]
+fn file(path: &Path) -> Result<std::io::BufReader<std::fs::File>, String> {
+    let file = std::fs::File::open(path).map_err(|why| why.to_string())?;
+    if !file.metadata().map_err(|why| why.to_string())?.is_file() {
+        return Err("it is not a regular file".to_owned());
+    }
+    Ok(std::io::BufReader::with_capacity(1 << 16, file))
+}

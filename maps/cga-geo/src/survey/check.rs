@@ -1,0 +1,96 @@
+//! Checks of an outline, and its rings in degrees.
+
+use super::crossing::crossing;
+use crate::crs::Crs;
+use crate::frame::metres_a_degree;
+use crate::outline::{Corner, Outline, twice_area};
+
+/// The largest extent of a footprint in metres. A corner further away is a mistake of its file.
+const MOST_METRES: f64 = 20_000.0;
+
+/// The latitude where the square map of tiles ends.
+const MOST_LATITUDE: f64 = 85.0;
+
+/// An outline that can be a footprint.
+pub(super) struct Checked {
+    /// The rings in degrees, as [`Footprint::rings`](crate::footprint::Footprint::rings).
+    pub(super) rings: Vec<Vec<Corner>>,
+    /// The outer ring in the coordinates of the file.
+    pub(super) place: Vec<Corner>,
+    /// The number of holes without an area.
+    pub(super) holes_lost: usize,
+}
+
+/// # Errors
+/// The reason why the outline cannot be a footprint.
+pub(super) fn check(outline: &Outline, crs: &Crs) -> Result<Checked, String> {
+    let mut own = Vec::new();
+    for (number, ring) in outline.rings.iter().enumerate() {
+        match (ring_of(ring)?, number) {
+            (Some(ring), _) => own.push(ring),
+            (None, 0) => return Err("its outline has no area".to_owned()),
+            (None, _) => {}
+        }
+    }
+    let Some(first) = own.first().map(|ring| ring[0]) else { return Err("it has an empty polygon".to_owned()) };
+    let reference = crs.degrees(first)?[0];
+    let rings = own.iter().enumerate().map(|(number, ring)| Ok(wound(degrees(ring, crs, reference)?, number == 0)));
+    let rings = rings.collect::<Result<Vec<_>, String>>()?;
+    extent(&rings[0])?;
+    if let Some([longitude, latitude]) = crossing(&rings) {
+        return Err(format!("its edges cross near longitude {longitude:.6}, latitude {latitude:.6}"));
+    }
+    let holes_lost = outline.rings.len() - own.len();
+    Ok(Checked { rings, place: own.swap_remove(0), holes_lost })
+}
+
+/// The corners of a ring, each once; `None` without an area.
+fn ring_of(ring: &[Corner]) -> Result<Option<Vec<Corner>>, String> {
+    if let Some([x, y]) = ring.iter().find(|corner| !(corner[0].is_finite() && corner[1].is_finite())) {
+        return Err(format!("a corner is ({x}, {y})"));
+    }
+    let mut ring = ring.to_vec();
+    ring.dedup();
+    while 1 < ring.len() && ring.first() == ring.last() {
+        ring.pop();
+    }
+    Ok(Some(ring).filter(|ring| 3 <= ring.len() && twice_area(ring) != 0.0))
+}
+
+/// The ring with its first corner first: counter-clockwise for an outline, clockwise for a hole.
+fn wound(mut ring: Vec<Corner>, is_outer: bool) -> Vec<Corner> {
+    if (0.0 < twice_area(&ring)) != is_outer {
+        ring[1..].reverse();
+    }
+    ring
+}
+
+/// The corners in degrees. Corners on the other side of the meridian of 180 degrees from a reference longitude go on beyond it.
+fn degrees(ring: &[Corner], crs: &Crs, reference: f64) -> Result<Vec<Corner>, String> {
+    let corner = |corner: &Corner| -> Result<Corner, String> {
+        let [longitude, latitude] = crs.degrees(*corner)?;
+        Ok([longitude - 360.0 * ((longitude - reference) / 360.0).round(), latitude])
+    };
+    ring.iter().map(corner).collect()
+}
+
+/// Checks the extent of an outline in degrees.
+fn extent(ring: &[Corner]) -> Result<(), String> {
+    let range = |axis: usize| {
+        let values = ring.iter().map(|corner| corner[axis]);
+        (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ((west, east), (south, north)) = (range(0), range(1));
+    if MOST_LATITUDE < south.abs().max(north.abs()) {
+        return Err(format!(
+            "it is at latitude {}; tiles end at {MOST_LATITUDE} degrees",
+            if south < 0.0 { south } else { north }
+        ));
+    }
+    let [a_degree_east, a_degree_north] = metres_a_degree((south + north) / 2.0);
+    let metres = ((east - west) * a_degree_east).max((north - south) * a_degree_north);
+    if metres <= MOST_METRES {
+        return Ok(());
+    }
+    Err(format!("it is {:.0} km long; at most {} km are used", metres / 1e3, MOST_METRES / 1e3))
+}

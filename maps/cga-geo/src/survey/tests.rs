@@ -1,0 +1,137 @@
+use super::*;
+use crate::outline::Outline;
+
+cga::cga! {
+    @Allow(unused_attribute)
+    grammar House;
+    attr height = 9
+    attr kind = "home"
+    attr rise = 0
+    @StartRule Lot --> extrude(height) X.
+    @StartRule Garden --> Lawn.
+}
+
+const SQUARE: [Corner; 4] = [[10.0, 50.0], [10.0002, 50.0], [10.0002, 50.0001], [10.0, 50.0001]];
+
+fn row(rings: Vec<Vec<Corner>>) -> Row {
+    Row::new(3, Ok(vec![Outline::new(rings)]))
+}
+
+fn survey(row: Row) -> Survey {
+    survey_with(row, Columns::default())
+}
+
+fn survey_with(row: Row, columns: Columns) -> Survey {
+    let house = House::default();
+    Surveyor::new(vec![&house], columns).survey(row)
+}
+
+fn reason(rings: Vec<Vec<Corner>>) -> String {
+    let survey = survey(row(rings));
+    assert!(survey.footprints.is_empty());
+    assert!(survey.problems[0].is_lost && survey.problems[0].row == 3);
+    survey.problems[0].reason.clone()
+}
+
+#[test]
+fn hostile_polygons_have_a_reason() {
+    let far = SQUARE.map(|[x, y]| if y == 50.0 { [x, y] } else { [x + 90.0, y] });
+    for (rings, why) in [
+        (vec![], "empty polygon"),
+        (vec![vec![]], "no area"),
+        (vec![vec![SQUARE[0]; 9]], "no area"),
+        (vec![vec![SQUARE[0], SQUARE[1], SQUARE[0], SQUARE[1]]], "no area"),
+        (vec![vec![SQUARE[0], SQUARE[1], [f64::NAN, 50.0]]], "a corner is (NaN, 50)"),
+        (vec![vec![SQUARE[0], SQUARE[1], [10.0, f64::INFINITY]]], "a corner is (10, inf)"),
+        (vec![vec![SQUARE[0], SQUARE[2], SQUARE[1], [10.0, 50.00005]]], "its edges cross"),
+        (vec![far.to_vec()], "km long"),
+        (vec![vec![[1e7, 2e6], [1e7, 2e6 + 9.0], [1e7 + 9.0, 2e6]]], "not a longitude"),
+        (vec![vec![[10.0, 89.0], [10.1, 89.0], [10.0, 89.0001]]], "at latitude 89"),
+    ] {
+        let found = reason(rings);
+        assert!(found.contains(why), "{found}");
+    }
+}
+
+#[test]
+fn footprints_do_not_depend_on_winding_and_closing() {
+    let expected = survey(row(vec![SQUARE.to_vec()]));
+    let mut closed = SQUARE.to_vec();
+    closed.extend([SQUARE[0], SQUARE[0]]);
+    let turned = vec![SQUARE[0], SQUARE[3], SQUARE[2], SQUARE[1], SQUARE[0]];
+    assert_eq!(survey(row(vec![closed])), expected);
+    assert_eq!(survey(row(vec![turned])), expected);
+    assert_eq!(expected.footprints[0].rings[0], SQUARE);
+}
+
+#[test]
+fn a_footprint_across_the_meridian_of_180_degrees_is_whole() {
+    let ring = vec![[179.9999, 10.0], [-179.9999, 10.0], [-179.9999, 10.0001], [179.9999, 10.0001]];
+    let survey = survey(row(vec![ring]));
+    let footprint = &survey.footprints[0];
+    assert!((footprint.rings[0][1][0] - 180.0001).abs() < 1e-9);
+    let lot = footprint.lot(&House::default(), &crate::frame::Frame::at(footprint.middle())).expect("a lot");
+    assert!((lot.scope().size.x - 21.9).abs() < 0.1);
+}
+
+#[test]
+fn columns_set_attributes_by_name_and_by_table() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    given.columns = vec![
+        ("kind".into(), ColumnValue::Text("shop".into())),
+        ("HOEHE".into(), ColumnValue::Text("12.5".into())),
+        ("gid".into(), ColumnValue::Number(17.0)),
+        ("rule".into(), ColumnValue::Text("Garden".into())),
+    ];
+    let columns = Columns {
+        id: Some("gid".into()),
+        start: Some("rule".into()),
+        attributes: vec![("HOEHE".into(), "height".into())],
+        footing: Some("rise".into()),
+        ..Columns::default()
+    };
+    let found = survey_with(given, columns).footprints.remove(0);
+    let number = ColumnValue::Number;
+    let values = [("height", number(12.5)), ("kind", ColumnValue::Text("shop".into())), ("rise", number(0.0))];
+    assert_eq!(found.values, values.map(|(name, value)| (name.to_owned(), value)));
+    assert_eq!((found.id.as_str(), found.start.as_deref()), ("17", Some("Garden")));
+    let bytes = found.to_bytes();
+    assert_eq!(Footprint::from_bytes(&bytes), Ok(found));
+}
+
+#[test]
+fn wrong_values_are_reported_and_the_building_stays() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    given.columns = vec![("height".into(), ColumnValue::Text("tall".into()))];
+    let survey = survey(given);
+    assert_eq!(survey.footprints.len(), 1);
+    assert_eq!(survey.problems[0].reason, "its column `height` is left out: `tall` is not a number");
+    assert!(!survey.problems[0].is_lost);
+}
+
+#[test]
+fn unknown_grammars_and_start_rules_are_lost_rows() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    given.columns = vec![("kind".into(), ColumnValue::Text("Tower".into()))];
+    let by_grammar = Columns { grammar: Some("kind".into()), ..Columns::default() };
+    let reasons = |columns| survey_with(given.clone(), columns).problems[0].reason.clone();
+    assert_eq!(reasons(by_grammar), "`Tower` is not one of the grammars House");
+    let by_start = Columns { start: Some("kind".into()), ..Columns::default() };
+    assert_eq!(reasons(by_start), "`Tower` is not a start rule of `House`");
+}
+
+#[test]
+fn lots_stand_at_the_lowest_ground_of_their_corners() {
+    let house = House::default();
+    let columns = Columns { footing: Some("rise".into()), ..Columns::default() };
+    let slope = |[x, _]: Corner| (x < 10.0003).then_some(100.0 + (x - 10.0) * 1e4);
+    let surveyor = Surveyor::new(vec![&house], columns).terrain(Arc::new(slope));
+    let found = surveyor.survey(row(vec![SQUARE.to_vec()]));
+    let ColumnValue::Number(rise) = found.footprints[0].values[0].1 else { panic!("a number") };
+    assert_eq!(found.footprints[0].base, 100.0);
+    assert!((rise - 2.0).abs() < 1e-6);
+    let outside = SQUARE.map(|[x, y]| [x + 1.0, y]);
+    let found = surveyor.survey(row(vec![outside.to_vec()]));
+    assert!(found.problems[0].reason.contains("no height below"));
+    assert_eq!(found.footprints[0].base, 0.0);
+}
