@@ -5,9 +5,11 @@ use std::ops::Range;
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::snippet::{Lines, bytes};
+use serde::Serialize;
 
 /// A diagnostic of a rule text.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "camelCase")]
 pub struct Finding {
     /// True for an error, false for a warning.
     pub is_error: bool,
