@@ -17,8 +17,8 @@ pub struct Trees {
 }
 
 impl Trees {
-    /// The rules that led to a leaf of a run, as JSON: the first is the rule of the lot. Each has the name, the lines of the rule, and the
-    /// scope with which the rule begins: origin, axes and size in metres. The attributes are the values that the lot used.
+    /// The rules that led to a leaf of a run, as JSON: the first is the rule of the lot. Each has the name, the arguments, the lines of the
+    /// rule, and the scope with which the rule begins: origin, axes and size in metres. The attributes are the values that the lot used.
     ///
     /// # Errors
     /// A sentence for the person at the page.
@@ -33,6 +33,7 @@ impl Trees {
             let scope = node.scope();
             json!({
                 "rule": node.rule(),
+                "arguments": serde_json::to_value(node.arguments()).unwrap_or_default(),
                 "lines": lines.get(node.rule()).map_or(&[][..], NameLines::shown),
                 "number": node.number(),
                 "siblings": node.parent().map_or(1, |parent| parent.children().len()),

@@ -120,6 +120,7 @@ fn a_part_has_its_chain_of_rules() {
     assert_eq!((&chain["lot"], &chain["attributes"]), (&json!(0), &json!({ "height": 6.0 })));
     let floor = &chain["steps"][1];
     assert_eq!((&floor["lines"], &floor["size"], &floor["origin"]), (&json!([3]), &json!([20.0, 3.0, 15.0]), &json!([0.0, 3.0, 0.0])));
+    assert_eq!(floor["arguments"], json!([1.0]));
     assert_eq!((&floor["number"], &floor["siblings"]), (&json!(1), &json!(2)));
     assert!(Trees::default().chain(run, 7, clock).is_err());
     // Each leaf of a scene with many lots has one.

@@ -50,6 +50,9 @@ const lots = new LotMenu({
   Object.assign(state, choice);
   update({ frames: 'lot' in choice });
 });
+// While a slider is dragged, no shadows are drawn.
+get('attributes').addEventListener('pointerdown', ({ target }) => target.type === 'range' && view?.hold(true));
+for (const type of ['pointerup', 'pointercancel']) window.addEventListener(type, () => view?.hold(false));
 makeTabs(document.querySelector('[role=tablist]'), () => {});
 makeDivider(get('divider'), document.querySelector('main'));
 
@@ -189,7 +192,8 @@ async function update(todo = {}) {
   const answer = await engine.run(wanted);
   if (!answer) return;
   const { notes = [], camera, frames, opens } = pending;
-  pending = {};
+  // Rules with a mistake have no model yet: their first one is framed.
+  pending = answer.facts ? {} : { camera, frames };
   get('view').dataset.busy = 'false';
   editor.show(answer.findings);
   const refused = Object.entries(answer.refused);
@@ -353,7 +357,9 @@ const LONGEST = 8000;
 /** Puts the state into the address. False if the rules are too long for it. */
 function write() {
   const isWhole = (state.rules ?? '').length <= LONGEST;
-  const link = encode({ ...state, camera: view.cameraNumbers, rules: isWhole ? state.rules : null });
+  // A model of other rules may still be in the view.
+  const camera = pending.frames || shown?.grammar !== state.grammar ? pending.camera : view.cameraNumbers;
+  const link = encode({ ...state, camera, rules: isWhole ? state.rules : null });
   history.replaceState(isWhole ? null : { rules: state.rules }, '', link);
   return isWhole;
 }

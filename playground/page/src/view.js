@@ -148,11 +148,25 @@ export class View {
     this.scene.add(model);
     this.highlight(null);
     this.bounds = [new Vector3(...low), new Vector3(...high)];
-    clearTimeout(this.calm);
     if (isFirst) this.light();
-    else this.calm = setTimeout(() => this.light(), CALM);
+    else this.lightSoon();
     this.grow();
     this.draw();
+  }
+
+  /** Fits the shadows when no other model has come for a moment, and after a slider is let go. */
+  lightSoon() {
+    clearTimeout(this.calm);
+    this.isLate = true;
+    if (!this.isHeld) this.calm = setTimeout(() => this.light(), CALM);
+  }
+
+  /** Tells that a slider is dragged, or let go. */
+  hold(isHeld) {
+    const isLetGo = this.isHeld && !isHeld;
+    this.isHeld = isHeld;
+    if (isHeld) clearTimeout(this.calm);
+    if (isLetGo && this.isLate) this.lightSoon();
   }
 
   /** Moves the camera back if what was seen as a whole has grown out of the view. */
@@ -178,6 +192,8 @@ export class View {
 
   /** Fits the shadows to the model. */
   light() {
+    clearTimeout(this.calm);
+    this.isLate = false;
     const [low, high] = this.bounds;
     const middle = low.clone().add(high).multiplyScalar(0.5);
     const radius = Math.max(low.distanceTo(high) / 2, 0.5);
@@ -295,6 +311,7 @@ export class NoView {
   frameView() {}
   addSky() {}
   highlight() {}
+  hold() {}
 }
 
 /** Removes objects and frees what they hold on the graphics processor. */
