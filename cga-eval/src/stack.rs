@@ -107,7 +107,8 @@ impl Stack {
     /// The values of a frame from its beginning on.
     #[cold]
     pub(crate) fn values(&self, types: &[Type], frame: Frame) -> Vec<Value> {
-        let (mut numbers, mut objects) = (self.numbers.iter().skip(frame.numbers), self.objects.iter().skip(frame.objects));
+        let (mut numbers, mut objects) =
+            (self.numbers.iter().skip(frame.numbers), self.objects.iter().skip(frame.objects));
         let value = |ty: &Type| match ty {
             Type::Float => numbers.next().copied().map(Value::Float),
             Type::Bool => numbers.next().map(|number| Value::Bool(*number != 0.0)),

@@ -5,4 +5,3 @@ mod files;
 mod mutated;
 mod pages;
 mod scenes;
-mod trees;

@@ -49,7 +49,8 @@ impl Trees {
             .flatten()
             .map(|(name, value)| (name.to_string(), serde_json::to_value(value).unwrap_or_default()))
             .collect();
-        Ok(json!({ "lot": lot, "attributes": attributes, "steps": nodes.iter().map(step).collect::<Vec<_>>() }).to_string())
+        Ok(json!({ "lot": lot, "attributes": attributes, "steps": nodes.iter().map(step).collect::<Vec<_>>() })
+            .to_string())
     }
 
     /// The tree of an initial shape.

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use cga::{Assets, Shape};
 use cga::sink::picture::Image;
 use cga::street::{Network, NetworkOptions};
+use cga::{Assets, Shape};
 
 use crate::entry::CatalogEntry;
 use crate::inline::rules_of;

@@ -43,7 +43,8 @@ impl Lot {
                 footprints::lots(text, grammar, 0).map_err(|why| format!("the GeoJSON file cannot be used: {why}"))
             }
             Lot::Obj(text) => {
-                let file = read_obj(text.as_bytes(), &mut |_| None).map_err(|error| format!("the OBJ file cannot be used: {error}"))?;
+                let file = read_obj(text.as_bytes(), &mut |_| None)
+                    .map_err(|error| format!("the OBJ file cannot be used: {error}"))?;
                 Ok(one(Shape::mesh(file.mesh)))
             }
         }

@@ -75,7 +75,8 @@ fn a_mistake_keeps_the_last_run() {
 #[test]
 fn values_that_rules_do_not_take_are_named() {
     let mut engine = Engine::new(clock);
-    let rules = "@Range(min = 1, max = 9) attr height = 3\nattr wide = 2\nLot --> extrude(height) s('1, '1, wide) Mass.";
+    let rules =
+        "@Range(min = 1, max = 9) attr height = 3\nattr wide = 2\nLot --> extrude(height) s('1, '1, wide) Mass.";
     let values = json!({ "height": 90, "wide": 5, "nothing": 1 }).as_object().cloned().unwrap_or_default();
     let answer = engine.answer(&Request { values, ..own(rules) });
     assert_eq!(answer.refused.keys().collect::<Vec<_>>(), ["height", "nothing"]);
@@ -101,7 +102,10 @@ fn a_lot_and_a_start_rule_are_chosen() {
     let rules = "Lot --> extrude(3) Mass.\nOther --> extrude(9) Tall.";
     let request = Request { lot: Some(Lot::Rectangle(4.0, 5.0)), start: Some("Other".into()), ..own(rules) };
     let answer = engine.answer(&request);
-    assert_eq!((&facts(&answer)["high"], &facts(&answer)["rules"][0]["name"]), (&json!([4.0, 9.0, 5.0]), &json!("Tall")));
+    assert_eq!(
+        (&facts(&answer)["high"], &facts(&answer)["rules"][0]["name"]),
+        (&json!([4.0, 9.0, 5.0]), &json!("Tall"))
+    );
     // A start rule that is not in the rules any more leaves the choice to the rules.
     let answer = engine.answer(&Request { rules: Some("Lot --> extrude(3) Mass.".into()), ..request });
     assert_eq!(facts(&answer)["high"], json!([4.0, 3.0, 5.0]));
@@ -119,7 +123,10 @@ fn a_part_has_its_chain_of_rules() {
     assert_eq!(names, ["Lot", "Floor", "Mass"]);
     assert_eq!((&chain["lot"], &chain["attributes"]), (&json!(0), &json!({ "height": 6.0 })));
     let floor = &chain["steps"][1];
-    assert_eq!((&floor["lines"], &floor["size"], &floor["origin"]), (&json!([3]), &json!([20.0, 3.0, 15.0]), &json!([0.0, 3.0, 0.0])));
+    assert_eq!(
+        (&floor["lines"], &floor["size"], &floor["origin"]),
+        (&json!([3]), &json!([20.0, 3.0, 15.0]), &json!([0.0, 3.0, 0.0]))
+    );
     assert_eq!(floor["arguments"], json!([1.0]));
     assert_eq!((&floor["number"], &floor["siblings"]), (&json!(1), &json!(2)));
     assert!(Trees::default().chain(run, 7, clock).is_err());

@@ -203,7 +203,7 @@ async function update(todo = {}) {
   if (answer.facts) {
     await inOrder(() => put(answer, asked, { frames, camera, opens }));
   } else if (mistake) {
-    problems.push(`Line ${mistake.line}: ${mistake.message}. ${mistake.help[0] ? `${sentence(mistake.help[0])}. ` : ''}${current ? 'The last model stays.' : ''}`);
+    problems.push(`Line ${mistake.line}: ${mistake.message}. ${mistake.help[0] ? `${sentence(mistake.help[0])} ` : ''}${current ? 'The last model stays.' : ''}`);
   } else {
     problems.push(answer.error);
     restoreValues(asked, opens);
@@ -216,7 +216,7 @@ async function update(todo = {}) {
   later();
 }
 
-const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1);
+const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.?!]$/.test(text) ? '' : '.');
 
 /** Takes back a value that the rules cannot run with. It must not refuse the next change too. */
 function restoreValues(asked, opens) {

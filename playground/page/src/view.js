@@ -68,6 +68,7 @@ export class View {
 
   /** Makes again what a lost context has taken with it: shadows and reflections. */
   restore() {
+    this.fence = null;
     this.sun.shadow.map?.dispose();
     this.sun.shadow.map = null;
     if (this.scene.environment) this.addSky();
@@ -125,12 +126,26 @@ export class View {
     this.draw();
   }
 
-  /** Draws the next frame. */
+  /**
+   * Draws the next frame, when the last one is finished: without a graphics processor a frame takes long, and a second one would block the
+   * page until then.
+   */
   draw() {
-    this.frame ??= requestAnimationFrame(() => {
-      this.frame = null;
-      this.renderer.render(this.scene, this.camera);
-    });
+    this.frame ??= requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow() {
+    const gl = this.renderer.getContext();
+    const isOpen = this.fence && !gl.isContextLost() && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED;
+    if (isOpen) {
+      this.frame = setTimeout(() => this.drawNow(), 5);
+      return;
+    }
+    if (this.fence) gl.deleteSync(this.fence);
+    this.frame = null;
+    this.renderer.render(this.scene, this.camera);
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
   }
 
   /**
@@ -343,7 +358,8 @@ function sky(renderer) {
   const material = new MeshBasicMaterial({ vertexColors: true, side: BackSide });
   const scene = new Scene().add(new Mesh(geometry, material));
   const generator = new PMREMGenerator(renderer);
-  const { texture } = generator.fromScene(scene);
+  // The sky is smooth, so a small image is enough.
+  const { texture } = generator.fromScene(scene, 0, 0.1, 100, { size: 64 });
   generator.dispose();
   geometry.dispose();
   material.dispose();

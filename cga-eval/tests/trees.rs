@@ -1,6 +1,10 @@
 //! The trees of loaded rules have the arguments of the rules.
 
-use cga::{Grammar, RuleFile, Settings, Shape, Value};
+use cga_eval::RuleFile;
+use cga_runtime::grammar::Grammar;
+use cga_runtime::run::settings::Settings;
+use cga_runtime::shape::Shape;
+use cga_runtime::value::Value;
 
 #[test]
 fn shapes_have_the_arguments_of_their_rules() {
@@ -18,6 +22,6 @@ fn shapes_have_the_arguments_of_their_rules() {
     };
     assert_eq!(shown("0;"), "Lot()");
     assert_eq!([shown("0;0;"), shown("0;1;")], ["Floor(0, f0, false)", "Floor(1, f1, true)"]);
-    assert_eq!([shown("0;1;0;"), shown("0;1;1;")], ["Part([1, 0.5])", "Cap()"]);
+    assert_eq!([shown("0;1;0;"), shown("0;1;1;")], ["Part((2)[1,0.5])", "Cap()"]);
     assert_eq!(shown("0;1;0;0;"), "X()");
 }
