@@ -89,7 +89,7 @@ fn endless_rules_end() {
     for rules in [
         "Lot --> extrude(3) A\nA --> s('1, '1, '1) [ A ] A",
         "f(n) = case n < 0 : 0 else : f(n + 1) + f(n + 1)\nLot --> extrude(f(1)) Mass.",
-        "Lot --> split(x) { 0.0001 : A. }*",
+        "Lot --> split(x) { 0.00001 : A. }*",
     ] {
         let answer = engine.answer(&own(rules));
         assert!(answer.error.is_some() || answer.facts.is_none() || facts(&answer)["faults"] != json!([]), "{rules}");

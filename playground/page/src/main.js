@@ -272,6 +272,8 @@ async function pick(origin, direction) {
   picked.chain = chain;
   showChain(get('steps'), chain, (step) => editor.mark(step.lines, true));
   get('chain').hidden = false;
+  // The list takes room from the editor.
+  if (!isNarrow()) editor.mark(current.facts.rules.find(({ name }) => name === hit.rule)?.lines ?? [], true);
 }
 
 /** Selects the leaves of the rule of a line. */
@@ -300,9 +302,11 @@ async function choose(rule, hit = null, reveals = true) {
   showReports(get('reports'), facts, rule, (name) => choose(name === picked?.rule ? null : name));
 }
 
+const isNarrow = () => matchMedia('(max-width: 1000px)').matches;
+
 /** On a narrow page, the marked line comes into sight below the view. */
 function showLine() {
-  if (!matchMedia('(max-width: 1000px)').matches || get('rules').hidden) return;
+  if (!isNarrow() || get('rules').hidden) return;
   requestAnimationFrame(() => {
     const line = document.querySelector('.cm-line.marked');
     if (!line) return;
