@@ -13,7 +13,7 @@ const RULES = 'attr height = 12\nLot --> extrude(height) comp(f) { side : color(
 const MANY = `Lot --> split(x) { ${Array.from({ length: 400 }, (_, at) => `~1 : R${at}`).join(' | ')} }\n${Array.from({ length: 399 }, (_, at) => `R${at} --> extrude(${2 + (at % 7)}) color("#a0b1c2") comp(f) { side : split(y) { ~1 : Wall. }* | top : Roof. }\n`).join('')}R399 --> extrude(1) Mass.\n`;
 
 const text = (page, id) => page.$eval(id, (element) => element.textContent);
-const parts = async (page) => (await text(page, '#numbers')).split(',')[0];
+const parts = async (page) => /^[\d,]+ parts/.exec(await text(page, '#numbers'))?.[0];
 const end = async (page) => {
   await page.focus('.cm-content');
   for (const [key, press] of [['Control', 'down'], ['End', 'press'], ['Control', 'up']]) await page.keyboard[press](key);
@@ -91,6 +91,7 @@ export async function checkRules({ browser, server, page: drawn, root, out, targ
   });
 
   await check('a GeoJSON file and an OBJ file are lots', async () => {
+    await paste(page, RULES);
     const square = (x) => ({ type: 'Feature', properties: { height: 5 + x }, geometry: { type: 'Polygon', coordinates: [[[x * 0.001, 50], [x * 0.001 + 0.0003, 50], [x * 0.001 + 0.0003, 50.0002], [x * 0.001, 50]]] } });
     writeFileSync(join(out, 'lots.geojson'), JSON.stringify({ type: 'FeatureCollection', features: [square(0), square(1), square(2)] }));
     writeFileSync(join(out, 'lot.obj'), 'v 0 0 0\nv 9 0 0\nv 9 0 -9\nf 1 2 3\n');

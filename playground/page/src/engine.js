@@ -54,7 +54,7 @@ export class Engine {
     });
   }
 
-  /** Ends a worker; what it was asked fails. */
+  /** Ends a worker. Its open questions fail. */
   end(worker, error) {
     worker.terminate();
     for (const { reject } of worker.open.values()) reject(error);
@@ -87,7 +87,6 @@ export class Engine {
     const { running } = this;
     this.running = null;
     running.resolve(null);
-    this.stopped = (this.stopped ?? 0) + 1;
     this.replace(new Error('superseded'));
     this.next();
   }

@@ -181,7 +181,7 @@ function request() {
 }
 
 /**
- * Runs the grammar of the state and shows the model. The last call counts: `todo` of earlier ones that it supersedes is done with it.
+ * Runs the grammar of the state and shows the model. The last call counts, and does the tasks of the calls that it supersedes, too.
  * `notes` are shown, `frames` sets the camera, to `camera` if there is one, and `opens` says that another grammar is opened.
  */
 let pending = {};

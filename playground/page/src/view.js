@@ -39,7 +39,7 @@ export class View {
     this.controls.maxPolarAngle = 0.52 * Math.PI;
     this.controls.addEventListener('change', () => this.draw());
     this.controls.addEventListener('end', onMove);
-    /** The corners of what must be seen, and the bounds of the model that it belongs to. */
+    /** The corners of the box that must be in the view, and the bounds of its model. */
     this.region = null;
     this.addPointer(onPick);
     this.addKeys(onMove, onCancel);
@@ -66,7 +66,7 @@ export class View {
     this.draw();
   }
 
-  /** Makes again what a lost context has taken with it: shadows and reflections. */
+  /** Draws shadows and reflections again, which are lost with the context. */
   restore() {
     this.fence = null;
     this.sun.shadow.map?.dispose();
@@ -184,7 +184,7 @@ export class View {
     if (isLetGo && this.isLate) this.lightSoon();
   }
 
-  /** Moves the camera back if what was seen as a whole has grown out of the view. */
+  /** Moves the camera back if a model that was in the view as a whole has grown out of it. */
   grow() {
     const { region, bounds: [low, high] } = this;
     if (!region) return;
@@ -343,7 +343,7 @@ function remove(scene, ...objects) {
   }
 }
 
-/** What smooth surfaces reflect: a sky that is brighter at the horizon. */
+/** The image that smooth surfaces reflect: a sky that is brighter at the horizon. */
 function sky(renderer) {
   const geometry = new SphereGeometry(10, 32, 24);
   const position = geometry.getAttribute('position');
