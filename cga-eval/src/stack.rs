@@ -104,6 +104,19 @@ impl Stack {
         }
     }
 
+    /// The values of a frame from its beginning on.
+    #[cold]
+    pub(crate) fn values(&self, types: &[Type], frame: Frame) -> Vec<Value> {
+        let (mut numbers, mut objects) =
+            (self.numbers.iter().skip(frame.numbers), self.objects.iter().skip(frame.objects));
+        let value = |ty: &Type| match ty {
+            Type::Float => numbers.next().copied().map(Value::Float),
+            Type::Bool => numbers.next().map(|number| Value::Bool(*number != 0.0)),
+            _ => objects.next().cloned().and_then(Object::into_value),
+        };
+        types.iter().map(value).map(|value| value.unwrap_or(Value::Float(0.0))).collect()
+    }
+
     /// Adds a value.
     pub(crate) fn push_value(&mut self, value: Value) {
         match value {

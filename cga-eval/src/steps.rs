@@ -1,6 +1,6 @@
 //! The steps of rules, compiled once.
 
-use cga_lang::ir::Prefix;
+use cga_lang::ir::{Prefix, Type};
 use cga_runtime::rt::{
     Adjust, Align, Axis, ChangePlace, Components, Item, Piece, Size, Successor, Text, TextureSpace, UvAxis,
 };
@@ -13,6 +13,8 @@ use crate::dispatch::{ArmsCall, Change, EachCall, FunctionCall, OperandsCall, Se
 pub(crate) struct RuleCode {
     pub(crate) body: Body,
     pub(crate) locals: Code,
+    /// The types of its parameters without locals; empty for a block.
+    pub(crate) params: Box<[Type]>,
     /// True if it has parameters or locals.
     pub(crate) has_values: bool,
     pub(crate) is_block: bool,

@@ -85,13 +85,13 @@ cga! {
                 t(0, 0.07, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "bridge",
         title: "Bridge",
         sentence: "A cylinder is cut out of each span, whatever its width; the length of the river decides how many there are.",
         rules: grammar_text(include_str!("bridge.rs")),
-        grammar: Box::new(Bridge::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 46.0))],
         view: View {
             azimuth: 38.0,

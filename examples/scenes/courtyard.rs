@@ -88,14 +88,14 @@ cga! {
     Crown(size) --> color(leaves) s(size, size, size) center(xz) primitiveSphere(12, 8) Crown.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     let outline = [[0.0, 66.0], [68.0, 66.0], [82.0, 44.0], [82.0, 0.0], [0.0, 0.0]];
     Scene {
         name: "courtyard",
         title: "Courtyard block",
         sentence: "`shapeO` cuts a ring of any outline, and one hip roof covers it; its facades split into houses of their own colour.",
         rules: grammar_text(include_str!("courtyard.rs")),
-        grammar: Box::new(Courtyard::default()),
+        grammar: (),
         shapes: vec![Start::new("Block", Shape::footprint(&outline, &[]).expect("a simple outline").seed(5))],
         view: View {
             azimuth: 28.0,

@@ -99,13 +99,13 @@ cga! {
     Flower  --> alignScopeToAxes(y) s(0.16, rand(0.15, 0.4), 0.16) [ primitiveCone(6) color("#5f8a48") Stalk. ] t(0, ^0.8, 0) s(0.15, 0.1, 0.15) primitiveSphere(7, 5) color(petals) Flower.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "fence",
         title: "Fences",
         sentence: "Each edge of the lot has its own kind of fence, and the length of a side decides the number of panels.",
         rules: grammar_text(include_str!("fence.rs")),
-        grammar: Box::new(Fence::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(16.0, 11.0).seed(2))],
         view: View {
             azimuth: 30.0,

@@ -104,13 +104,13 @@ cga! {
     Leaf    --> s(0.42, 0.03, 0.13) r(rand(-20, 20), rand(360), rand(10, 50)) primitiveSphere(8, 4) color(leaf) Leaf.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "interior",
         title: "Interior",
         sentence: "Furniture is made of splits too: one rule makes sofa and armchair, and a recursive one the painting.",
         rules: grammar_text(include_str!("interior.rs")),
-        grammar: Box::new(Interior::default()),
+        grammar: (),
         shapes: vec![Start::new("Room", Shape::rectangle(7.4, 5.6).seed(4))],
         view: View {
             azimuth: 36.0,

@@ -15,11 +15,32 @@ mod temple;
 mod tower;
 mod town_house;
 
+use cga::Grammar;
+
 pub use scene::Scene;
 
 /// All scenes, in the order of the page.
 pub fn scenes() -> Vec<Scene> {
-    vec![
+    let grammars: [Box<dyn Grammar + Send + Sync>; 12] = [
+        Box::new(tower::Tower::default()),
+        Box::new(town_house::TownHouse::default()),
+        Box::new(courtyard::Courtyard::default()),
+        Box::new(stadium::Stadium::default()),
+        Box::new(bridge::Bridge::default()),
+        Box::new(temple::Temple::default()),
+        Box::new(street::Streets::default()),
+        Box::new(skyline::Skyline::default()),
+        Box::new(interior::Interior::default()),
+        Box::new(fence::Fence::default()),
+        Box::new(pavilion::Pavilion::default()),
+        Box::new(park::Park::default()),
+    ];
+    layouts().into_iter().zip(grammars).map(|(layout, grammar)| layout.with(grammar)).collect()
+}
+
+/// All scenes without compiled rules, for programs that load the text of the rules.
+pub fn layouts() -> [Scene<()>; 12] {
+    [
         tower::scene(),
         town_house::scene(),
         courtyard::scene(),

@@ -82,14 +82,14 @@ cga! {
     Flower  --> s(0.3, rand(0.2, 0.4), 0.3) center(xz) primitiveSphere(6, 4) color(petals) Flower.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     let outline = [[0.0, 62.0], [52.0, 74.0], [92.0, 54.0], [86.0, 6.0], [38.0, -4.0], [4.0, 12.0]];
     Scene {
         name: "park",
         title: "Park",
         sentence: "`subtract` cuts the paths out of the lawn, and trees scatter over each piece that is left.",
         rules: grammar_text(include_str!("park.rs")),
-        grammar: Box::new(Park::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::footprint(&outline, &[]).expect("a simple outline").seed(6))],
         view: View {
             azimuth: 24.0,

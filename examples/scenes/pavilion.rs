@@ -78,13 +78,13 @@ cga! {
     Crown(size) --> s(size, size * 1.1, size) center(xz) primitiveSphere(12, 8) color(leaves) Crown.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "pavilion",
         title: "Pavilion",
         sentence: "One outline gives podium, columns, glass and roof; paving, panes and columns fit themselves to any size.",
         rules: grammar_text(include_str!("pavilion.rs")),
-        grammar: Box::new(Pavilion::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(44.0, 26.0).seed(2))],
         view: View {
             azimuth: -35.0,

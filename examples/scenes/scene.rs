@@ -2,8 +2,8 @@
 
 use cga::{Error, Flow, Grammar, Model, Settings, Shape};
 
-/// Rules and what they are run on. Nothing is read from disk.
-pub struct Scene {
+/// Rules and what they are run on. Nothing is read from disk. A scene without compiled rules is a `Scene<()>`.
+pub struct Scene<G = Box<dyn Grammar + Send + Sync>> {
     /// The name of its picture and of its file.
     pub name: &'static str,
     pub title: &'static str,
@@ -11,7 +11,7 @@ pub struct Scene {
     pub sentence: &'static str,
     /// The text of the grammar.
     pub rules: String,
-    pub grammar: Box<dyn Grammar + Send + Sync>,
+    pub grammar: G,
     pub shapes: Vec<Start>,
     pub view: View,
 }
@@ -50,6 +50,14 @@ impl Default for View {
             region: None,
             size: [900, 600],
         }
+    }
+}
+
+impl Scene<()> {
+    /// The scene with compiled rules.
+    pub fn with(self, grammar: Box<dyn Grammar + Send + Sync>) -> Scene {
+        let Scene { name, title, sentence, rules, grammar: (), shapes, view } = self;
+        Scene { name, title, sentence, rules, grammar, shapes, view }
     }
 }
 

@@ -87,13 +87,13 @@ cga! {
     Tree    --> s(5, rand(6, 9), 5) center(xz) primitiveSphere(8, 6) color("#5f8a48") Crown.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "skyline",
         title: "Skyline",
         sentence: "Its place decides how high each of 120 lots may be, and chance picks one of seven kinds of buildings.",
         rules: grammar_text(include_str!("skyline.rs")),
-        grammar: Box::new(Skyline::default()),
+        grammar: (),
         shapes: vec![Start::new("City", Shape::rectangle(620.0, 470.0).at([-310.0, 0.0, -235.0]).seed(2))],
         view: View {
             azimuth: 24.0,

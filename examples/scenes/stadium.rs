@@ -80,13 +80,13 @@ cga! {
     Column  --> set(trim.vertical, false) alignScopeToAxes(y) t(0, -eaves - fall, 0) s(0.9, eaves, 0.9) primitiveCylinder(12) color("#f4f3ef") Column.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "stadium",
         title: "Stadium",
         sentence: "A recursive rule offsets the oval inwards, one step for each row of seats, and the roof is one more offset.",
         rules: grammar_text(include_str!("stadium.rs")),
-        grammar: Box::new(Stadium::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(210.0, 170.0))],
         view: View {
             azimuth: 28.0,

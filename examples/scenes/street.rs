@@ -147,7 +147,7 @@ fn row(from: [f64; 2], to: [f64; 2]) -> Vec<Shape> {
     (0..count as usize).map(lot).collect()
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     let (west, east): (Line, Line) = ([[-70.0, 4.0], [0.0, 0.0]], [[0.0, 0.0], [75.0, -4.0]]);
     let (south, north): (Line, Line) = ([[6.0, 60.0], [0.0, 0.0]], [[0.0, 0.0], [-10.0, -60.0]]);
     let lane: Line = [[38.0, -2.0], [44.0, -60.0]];
@@ -189,7 +189,7 @@ pub fn scene() -> Scene {
         title: "Street with junctions",
         sentence: "The library lays out roadways, sidewalks and junctions from three centre lines; rules with CityEngine's names furnish them. Shops face a street, and walls between houses have no windows.",
         rules: grammar_text(include_str!("street.rs")),
-        grammar: Box::new(Streets::default()),
+        grammar: (),
         shapes: streets.chain(houses).chain(yards).chain(greens).collect(),
         view: View {
             azimuth: 18.0,

@@ -76,13 +76,13 @@ cga! {
     Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "temple",
         title: "Temple",
         sentence: "All sizes follow from the column, so another order is a change of three numbers.",
         rules: grammar_text(include_str!("temple.rs")),
-        grammar: Box::new(Temple::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(26.0, 50.0))],
         view: View {
             azimuth: 34.0,

@@ -71,13 +71,13 @@ cga! {
                t(0, 0.3, 0) s(^0.8, 0, ^0.6) center(xz) primitiveDisk(48) extrude(0.2) color("#c4bcae") Paving.
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     Scene {
         name: "tower",
         title: "Tower",
         sentence: "One rule makes all storeys: it turns and scales each slice of the mass by its number.",
         rules: grammar_text(include_str!("tower.rs")),
-        grammar: Box::new(Tower::default()),
+        grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(64.0, 64.0).seed(3))],
         view: View {
             azimuth: 24.0,

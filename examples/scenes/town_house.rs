@@ -112,7 +112,7 @@ cga! {
                 split(x) { { 0.04 : Bar. | ~0.13 : split(y) { ~1 : NIL | 0.04 : Rail. | 0.12 : NIL } }* | 0.04 : Bar. }
 }
 
-pub fn scene() -> Scene {
+pub fn scene() -> Scene<()> {
     let mut x = 0.0;
     let mut shapes = Vec::new();
     for (seed, width) in [(5, 7.2), (11, 6.6), (4, 7.6), (23, 6.8)] {
@@ -124,7 +124,7 @@ pub fn scene() -> Scene {
         title: "Town houses",
         sentence: "Four lots, one grammar: chance, seeded by each lot, decides storeys, brick, bay and door.",
         rules: grammar_text(include_str!("town_house.rs")),
-        grammar: Box::new(TownHouse::default()),
+        grammar: (),
         shapes,
         view: View {
             azimuth: 30.0,

@@ -27,7 +27,7 @@ export async function startBrowser() {
 }
 
 /** Opens a page that records errors and warnings in `said`. */
-export async function openPage(browser, address, { width = 1280, height = 800, scheme = 'light' } = {}) {
+export async function openPage(browser, address, { width = 1280, height = 800, scheme = 'light', hasWebGL = true } = {}) {
   const page = await browser.newPage();
   const said = [];
   page.on('console', (message) => {
@@ -37,6 +37,14 @@ export async function openPage(browser, address, { width = 1280, height = 800, s
   });
   page.on('pageerror', (error) => said.push(String(error)));
   page.on('requestfailed', (request) => said.push(`not loaded: ${request.url()}`));
+  if (!hasWebGL) {
+    await page.evaluateOnNewDocument(() => {
+      const { getContext } = HTMLCanvasElement.prototype;
+      HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+        return kind.startsWith('webgl') ? null : getContext.call(this, kind, ...rest);
+      };
+    });
+  }
   await page.setViewport({ width, height });
   await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
   await page.goto(address);
@@ -68,6 +76,21 @@ export function inPage(page, run, ...values) {
   };
   const texts = values.map((value) => (typeof value === 'function' ? String(value) : JSON.stringify(value)));
   return page.evaluate(`(${run})(${[afterRun, ...texts].join(', ')})`);
+}
+
+/** Runs a function in the page and waits until the engine has answered a request that was made after it, with or without a model. */
+export async function afterAnswer(page, change) {
+  const count = () => page.$eval('#view', (view) => Number(view.dataset.answers ?? 0));
+  const before = await count();
+  await change();
+  await page.waitForFunction((before) => before < Number(document.querySelector('#view').dataset.answers ?? 0) && document.querySelector('#view').dataset.busy === 'false', { timeout: 60_000 }, before);
+}
+
+/** Puts a text into the editor in place of its own, as a person pastes it. */
+export async function paste(page, text) {
+  await page.focus('.cm-content');
+  for (const [key, press] of [['Control', 'down'], ['a', 'press'], ['Control', 'up']]) await page.keyboard[press](key);
+  await afterAnswer(page, () => page.keyboard.sendCharacter(text));
 }
 
 /** Runs a function in the page and waits until a model made after it is shown. */

@@ -25,9 +25,11 @@ impl Compiler<'_> {
     pub(super) fn rule(&self, id: RuleId, rule: &Rule) -> RuleCode {
         let locals = &Locals::new(&rule.params);
         let at = InRule { id, rule, locals };
+        let given = &rule.params[..rule.params.len().saturating_sub(rule.locals.len())];
         RuleCode {
             body: self.body(&rule.body, at, 0, true, true),
             locals: self.code(&rule.locals, locals),
+            params: if rule.block { Box::default() } else { given.iter().map(|param| param.ty).collect() },
             has_values: !rule.params.is_empty(),
             is_block: rule.block,
             tells_part: self.tells_parts,

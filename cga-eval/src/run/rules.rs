@@ -14,7 +14,12 @@ impl Values {
     pub(crate) fn rule(&self, cx: &mut Cx<'_, Call>, shape: &ShapeRef<'_>, number: usize, frame: Frame) -> Flow {
         let rule = &self.program.rules[number];
         match (rule.is_block, rule.tells_part) {
-            (false, _) => cx.enter(rule.trail.at(frame.site), shape)?,
+            (false, _) => {
+                cx.enter(rule.trail.at(frame.site), shape)?;
+                if !rule.params.is_empty() {
+                    cx.env.record_arguments(|| self.stack.borrow().values(&rule.params, frame));
+                }
+            }
             (true, true) => cx.enter_block(),
             (true, false) => {}
         }

@@ -26,7 +26,15 @@ export class Controls {
     this.rows = new Map();
   }
 
-  /** Makes the controls of a grammar anew. */
+  /** Shows the values of a run, with other controls if its attributes are others, or if they must be `rebuilt`. */
+  update(attributes, used, rebuilt) {
+    const kinds = JSON.stringify(attributes.map(({ value, allowed, ...kind }) => kind));
+    if (rebuilt || kinds !== this.kinds) this.build(attributes);
+    this.kinds = kinds;
+    this.show(attributes, used);
+  }
+
+  /** Makes the controls of a grammar. */
   build(attributes) {
     this.rows.clear();
     this.panel.replaceChildren();

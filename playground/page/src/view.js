@@ -11,6 +11,12 @@ import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 const ACCENT = 0xff8a1f;
 const RADIANS = Math.PI / 180;
 
+/** Milliseconds without another model after which shadows are drawn. */
+const CALM = 250;
+
+/** The corners of a box. */
+const corners = (from, to) => Array.from({ length: 8 }, (_, corner) => new Vector3(...[0, 1, 2].map((axis) => (corner & (1 << axis) ? to : from).getComponent(axis))));
+
 export class View {
   /** `onPick(origin, direction)` gets a ray, `onMove` is called when the camera stops. */
   constructor(parent, { onPick, onMove, onCancel }) {
@@ -28,10 +34,13 @@ export class View {
     this.camera = new PerspectiveCamera(30, 1, 0.1, 5000);
     this.loader = new GLTFLoader();
     this.addLight();
+    this.renderer.domElement.addEventListener('webglcontextrestored', () => this.restore());
     this.controls = new OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = 0.52 * Math.PI;
     this.controls.addEventListener('change', () => this.draw());
     this.controls.addEventListener('end', onMove);
+    /** The corners of the box that must be in the view, and the bounds of its model. */
+    this.region = null;
     this.addPointer(onPick);
     this.addKeys(onMove, onCancel);
     new ResizeObserver(() => this.resize()).observe(parent);
@@ -51,9 +60,19 @@ export class View {
 
   /** Adds reflections of a sky. They take long to compute without a graphics processor, so the first model does not wait for them. */
   addSky() {
+    this.scene.environment?.dispose();
     this.scene.environment = sky(this.renderer);
     this.scene.environmentIntensity = 0.55;
     this.draw();
+  }
+
+  /** Draws shadows and reflections again, which are lost with the context. */
+  restore() {
+    this.fence = null;
+    this.sun.shadow.map?.dispose();
+    this.sun.shadow.map = null;
+    if (this.scene.environment) this.addSky();
+    this.drawShadows();
   }
 
   /** A click without a drag picks. */
@@ -107,30 +126,90 @@ export class View {
     this.draw();
   }
 
-  /** Draws the next frame. */
+  /**
+   * Draws the next frame, when the last one is finished: without a graphics processor a frame takes long, and a second one would block the
+   * page until then.
+   */
   draw() {
-    this.frame ??= requestAnimationFrame(() => {
-      this.frame = null;
-      this.renderer.render(this.scene, this.camera);
-    });
+    this.frame ??= requestAnimationFrame(() => this.drawNow());
   }
 
-  /** Shows the bytes of a GLB file. `bounds` are its lowest and highest corner. */
+  drawNow() {
+    const gl = this.renderer.getContext();
+    const isOpen = this.fence && !gl.isContextLost() && gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED;
+    if (isOpen) {
+      this.frame = setTimeout(() => this.drawNow(), 5);
+      return;
+    }
+    if (this.fence) gl.deleteSync(this.fence);
+    this.frame = null;
+    this.renderer.render(this.scene, this.camera);
+    this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+  }
+
+  /**
+   * Shows the bytes of a GLB file. `bounds` are its lowest and highest corner. Shadows follow when the model has not changed for a
+   * moment: without a graphics processor they take long.
+   */
   async show(glb, { low, high }) {
     const { scene: model } = await this.loader.parseAsync(glb.buffer, '');
     model.traverse((object) => {
       if (object.isMesh) object.castShadow = object.receiveShadow = true;
     });
     if (this.model) remove(this.scene, this.model);
+    const isFirst = !this.model;
     this.model = model;
     this.scene.add(model);
     this.highlight(null);
-    this.light(new Vector3(...low), new Vector3(...high));
+    this.bounds = [new Vector3(...low), new Vector3(...high)];
+    if (isFirst) this.light();
+    else this.lightSoon();
+    this.grow();
     this.draw();
   }
 
+  /** Fits the shadows when no other model has come for a moment, and after a slider is let go. */
+  lightSoon() {
+    clearTimeout(this.calm);
+    this.isLate = true;
+    if (!this.isHeld) this.calm = setTimeout(() => this.light(), CALM);
+  }
+
+  /** Tells that a slider is dragged, or let go. */
+  hold(isHeld) {
+    const isLetGo = this.isHeld && !isHeld;
+    this.isHeld = isHeld;
+    if (isHeld) clearTimeout(this.calm);
+    if (isLetGo && this.isLate) this.lightSoon();
+  }
+
+  /** Moves the camera back if a model that was in the view as a whole has grown out of it. */
+  grow() {
+    const { region, bounds: [low, high] } = this;
+    if (!region) return;
+    const [from, to] = [region.from.clone(), region.to.clone()];
+    from.add(low.clone().sub(region.low).min(new Vector3()));
+    to.add(high.clone().sub(region.high).max(new Vector3()));
+    if (from.equals(region.from) && to.equals(region.to)) return;
+    if (this.sees(region.from, region.to) && !this.sees(from, to)) this.fit(from, to, this.camera.position.clone().sub(this.controls.target).normalize());
+    this.region = { from, to, low: low.clone().min(region.low), high: high.clone().max(region.high) };
+  }
+
+  /** True if the corners of a box are in the view. */
+  sees(from, to) {
+    this.camera.updateMatrixWorld();
+    return corners(from, to).every((corner) => {
+      const { x, y } = corner.project(this.camera);
+      return Math.max(Math.abs(x), Math.abs(y)) < 1.03;
+    });
+  }
+
   /** Fits the shadows to the model. */
-  light(low, high) {
+  light() {
+    clearTimeout(this.calm);
+    this.isLate = false;
+    const [low, high] = this.bounds;
     const middle = low.clone().add(high).multiplyScalar(0.5);
     const radius = Math.max(low.distanceTo(high) / 2, 0.5);
     const azimuth = this.sunAzimuth ?? 0;
@@ -144,13 +223,19 @@ export class View {
     camera.updateProjectionMatrix();
     this.sun.shadow.normalBias = map ? (2 * radius) / map.width : radius / 1024;
     this.sun.shadow.bias = -0.0004;
-    this.renderer.shadowMap.needsUpdate = true;
     this.ground.position.set(middle.x, low.y - 0.002 * radius, middle.z);
     this.ground.scale.setScalar(6 * radius);
     [this.camera.near, this.camera.far] = [radius / 200, radius * 60];
     this.camera.updateProjectionMatrix();
     this.controls.minDistance = radius / 20;
     this.controls.maxDistance = radius * 20;
+    this.drawShadows();
+  }
+
+  drawShadows() {
+    this.renderer.shadowMap.needsUpdate = true;
+    this.parent.dataset.shadows = String(Number(this.parent.dataset.shadows ?? 0) + 1);
+    this.draw();
   }
 
   /** Sets the camera and the sun of a grammar: angles, and the region that must be seen. */
@@ -162,23 +247,33 @@ export class View {
     this.camera.fov = view.fieldOfView;
     this.camera.updateProjectionMatrix();
     const back = new Vector3(Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation));
+    this.bounds = [new Vector3(...low), new Vector3(...high)];
+    this.region = { from, to, low: this.bounds[0].clone(), high: this.bounds[1].clone() };
+    this.light();
+    this.fit(from, to, back);
+  }
+
+  /** Moves the camera along a direction so far that the corners of a box are in the view. */
+  fit(from, to, back) {
     const middle = from.clone().add(to).multiplyScalar(0.5);
+    const radius = Math.max(from.distanceTo(to) / 2, 0.5);
+    this.controls.maxDistance = Math.max(this.controls.maxDistance, 20 * radius);
+    this.camera.far = Math.max(this.camera.far, 60 * radius);
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).add(back);
     this.camera.lookAt(middle);
+    this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
-    // Far enough for every corner.
     const half = Math.tan((this.camera.fov / 2) * RADIANS);
     const wide = half * this.camera.aspect;
     // The notes above and below take 48 pixels each.
     const tall = half * Math.max(1 - 96 / this.parent.clientHeight, 0.5);
+    const turn = this.camera.quaternion.clone().invert();
     let distance = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const at = new Vector3(...[0, 1, 2].map((axis) => (corner & (1 << axis) ? to : from).getComponent(axis)));
-      const seen = at.sub(middle).applyQuaternion(this.camera.quaternion.clone().invert());
+    for (const corner of corners(from, to)) {
+      const seen = corner.sub(middle).applyQuaternion(turn);
       distance = Math.max(distance, seen.z + Math.abs(seen.x) / wide, seen.z + Math.abs(seen.y) / tall);
     }
-    this.light(new Vector3(...low), new Vector3(...high));
     this.camera.position.copy(middle).addScaledVector(back, 1.05 * distance);
     this.controls.update();
     this.draw();
@@ -216,6 +311,24 @@ export class View {
   }
 }
 
+/** In place of the view where there is no WebGL: a sentence. */
+export class NoView {
+  constructor(parent) {
+    this.parent = parent;
+    const note = document.createElement('p');
+    note.id = 'no-view';
+    note.textContent = 'This browser does not draw with WebGL, so there is no picture. Everything else works: rules, values, parts, reports and files.';
+    parent.append(note);
+    this.cameraNumbers = null;
+  }
+
+  async show() {}
+  frameView() {}
+  addSky() {}
+  highlight() {}
+  hold() {}
+}
+
 /** Removes objects and frees what they hold on the graphics processor. */
 function remove(scene, ...objects) {
   for (const object of objects) {
@@ -230,7 +343,7 @@ function remove(scene, ...objects) {
   }
 }
 
-/** What smooth surfaces reflect: a sky that is brighter at the horizon. */
+/** The image that smooth surfaces reflect: a sky that is brighter at the horizon. */
 function sky(renderer) {
   const geometry = new SphereGeometry(10, 32, 24);
   const position = geometry.getAttribute('position');
@@ -245,7 +358,8 @@ function sky(renderer) {
   const material = new MeshBasicMaterial({ vertexColors: true, side: BackSide });
   const scene = new Scene().add(new Mesh(geometry, material));
   const generator = new PMREMGenerator(renderer);
-  const { texture } = generator.fromScene(scene);
+  // The sky is smooth, so a small image is enough.
+  const { texture } = generator.fromScene(scene, 0, 0.1, 100, { size: 64 });
   generator.dispose();
   geometry.dispose();
   material.dispose();

@@ -5,6 +5,7 @@ use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::Flow;
 use crate::run::tree_keys::TreeNode;
 use crate::shape::ShapeRef;
+use crate::value::Value;
 use crate::value::text::Text;
 
 /// A shape that was entered or made, as far as the run records shapes.
@@ -44,6 +45,14 @@ impl Env {
             }
         }
         Flow::Continue(())
+    }
+
+    /// Records the arguments of the rule that was entered last, in a run that records its tree.
+    #[inline]
+    pub fn record_arguments(&mut self, arguments: impl FnOnce() -> Vec<Value>) {
+        if let Some(tree) = &mut self.tree {
+            tree.set_arguments(arguments());
+        }
     }
 
     /// The name of a rule as leaves have it: without the style that has added it, as in `imp.Tall$Cell`.

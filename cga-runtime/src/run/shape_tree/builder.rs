@@ -3,10 +3,11 @@
 //! A run tells when it enters a rule, but not when it leaves one. The number of rules on the trail, the *level*, determines the parent.
 //! A call that waits has a place among the children of its rule: its shapes take that place at the end, as if it had not waited.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use super::{ShapeTree, TreeShape};
 use crate::shape::scope::Scope;
+use crate::value::Value;
 use crate::value::text::Text;
 
 /// A tree of shapes under construction.
@@ -21,6 +22,7 @@ pub(crate) struct TreeBuilder {
     resumed: Option<u32>,
     /// The places of the calls that wait, in the order in which they are resumed.
     waiting: VecDeque<u32>,
+    arguments: BTreeMap<u32, Box<[Value]>>,
 }
 
 /// The place of a shape, or of a call that waited, among the children of a rule.
@@ -40,6 +42,13 @@ impl TreeBuilder {
         let place = self.add(level - 1, rule, scope);
         self.path.truncate(level - 1);
         self.path.push(place);
+    }
+
+    /// Sets the arguments of the rule that was entered last.
+    pub(crate) fn set_arguments(&mut self, arguments: Vec<Value>) {
+        if let Some(last) = self.shapes.len().checked_sub(1) {
+            self.arguments.insert(last as u32, arguments.into());
+        }
     }
 
     /// Adds a leaf symbol of the rule at a level.
@@ -77,7 +86,7 @@ impl TreeBuilder {
 
     /// The finished tree.
     pub(crate) fn finish(self) -> ShapeTree {
-        let TreeBuilder { mut shapes, leaves, places, .. } = self;
+        let TreeBuilder { mut shapes, leaves, places, arguments, .. } = self;
         let mut children = Vec::with_capacity(shapes.len());
         let mut open = Vec::new();
         for place in places.iter().filter(|place| !place.is_call) {
@@ -95,7 +104,7 @@ impl TreeBuilder {
             }
             shapes[place.shape as usize].children = start..children.len() as u32;
         }
-        ShapeTree { shapes, children, leaves }
+        ShapeTree { shapes, children, leaves, arguments }
     }
 
     /// The place of the rule at a level, or of the call that was resumed.

