@@ -27,7 +27,8 @@ fn scenes_give_the_same() {
             assert_eq!(a, b, "{} from {}", scene.name, start.rule);
         }
         let compiled = scene.model().expect("a model");
-        let scene = Scene { grammar: Box::new(loaded), ..scene };
+        let grammar: Box<dyn Grammar + Send + Sync> = Box::new(loaded);
+        let scene = Scene { grammar, ..scene };
         let model = scene.model().unwrap_or_else(|error| panic!("{}: {error}", scene.name));
         assert_eq!(bytes(&compiled), bytes(&model), "{}", scene.name);
     }

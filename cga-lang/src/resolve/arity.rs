@@ -82,7 +82,7 @@ pub(crate) fn wrong_form<'c>(
     };
     match rows.iter().find_map(|row| row.old) {
         Some(instead) => diag.help(instead),
-        None if rows.iter().any(|row| is_joined(&row)) => diag.help(format!("write `{}({joined})`", name.text)),
+        None if rows.iter().any(is_joined) => diag.help(format!("write `{}({joined})`", name.text)),
         None => diag.help(format!(
             "write {}",
             usages(rows.iter().filter(|row| Some(far(row)) == near).map(|row| form(row, &words)))
