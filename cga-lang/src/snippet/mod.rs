@@ -185,7 +185,7 @@ mod tests {
             diags.report(Code::UndefinedRule, Span::one(3 * number + 2), format!("there is no rule {number}"));
         }
         let shown: Vec<String> = diags.finish().iter().map(|diag| render(quote, diag)).collect();
-        assert!(shown[4_999].contains(" --> a.cga:1:64983\n") && shown[4_999].contains("\n1 | …"), "{}", shown[4_999]);
+        assert!(shown[4_999].contains(" --> a.cga:1:64996\n") && shown[4_999].contains("\n1 | …"), "{}", shown[4_999]);
         assert!(shown.iter().all(|text| text.contains(" --> a.cga:1:") && text.len() < 1000));
     }
 
