@@ -160,7 +160,7 @@ fn what_is_refused_is_taught() {
         said,
         [
             "there is no attribute `hight`; did you mean `height`?",
-            "there is no attribute `colour`",
+            "there is no attribute `colour`; the attributes are height, lit, style, storeys, name, odd, storeys_each, uses, use",
             "attribute `height` is a number, and the value is true or false",
             "attribute `height` is a number, and `12 m` is not",
             "attribute `lit` is true or false, and `yes` is not",

@@ -17,6 +17,8 @@ pub enum AttributeError {
         name: String,
         /// The nearest name of an attribute, if one is near enough.
         near: Option<Text>,
+        /// The names of the attributes, without hidden ones.
+        known: Vec<Text>,
     },
     /// The attribute has no value before a run: its default is computed for each initial shape.
     Computed {
@@ -83,9 +85,13 @@ impl AttributeError {
 impl fmt::Display for AttributeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            AttributeError::Unknown { name, near: None } => write!(f, "there is no attribute `{}`", shown(name)),
-            AttributeError::Unknown { name, near: Some(near) } => {
-                write!(f, "there is no attribute `{}`; did you mean `{near}`?", shown(name))
+            AttributeError::Unknown { name, near, known } => {
+                write!(f, "there is no attribute `{}`", shown(name))?;
+                match near {
+                    Some(near) => write!(f, "; did you mean `{near}`?"),
+                    None if known.is_empty() => Ok(()),
+                    None => write!(f, "; the attributes are {}", beginning(known.iter().map(Text::to_string))),
+                }
             }
             AttributeError::Computed { name } => {
                 write!(f, "attribute `{name}` is computed for each initial shape unless it is set")
@@ -107,14 +113,20 @@ impl fmt::Display for AttributeError {
 
 impl std::error::Error for AttributeError {}
 
-/// The number of choices that a message names.
+/// The number of choices or attributes that a message names.
 const NAMED: usize = 12;
 
 fn not_among(value: &Value, choices: &[Value]) -> String {
     if choices.is_empty() {
         return format!("`{}` is not allowed: the list of choices is empty", shown(&value.to_string()));
     }
-    let names: Vec<String> = choices.iter().take(NAMED).map(|choice| shown(&choice.to_string())).collect();
-    let more = if NAMED < choices.len() { ", …" } else { "" };
-    format!("`{}` is not one of {}{more}", shown(&value.to_string()), names.join(", "))
+    let choices = choices.iter().map(|choice| shown(&choice.to_string()));
+    format!("`{}` is not one of {}", shown(&value.to_string()), beginning(choices))
+}
+
+/// The beginning of a list of names.
+fn beginning(mut names: impl Iterator<Item = String>) -> String {
+    let first: Vec<String> = names.by_ref().take(NAMED).collect();
+    let more = if names.next().is_some() { ", …" } else { "" };
+    format!("{}{more}", first.join(", "))
 }

@@ -172,6 +172,7 @@ pub(crate) fn find<'a>(attributes: &'a [Attribute], name: &str) -> Result<(usize
     let found = attributes.iter().enumerate().find(|(_, attribute)| attribute.name.is(name));
     found.ok_or_else(|| {
         let near = nearest(name, attributes.iter().map(|attribute| attribute.name.as_str())).map(Text::from);
-        AttributeError::Unknown { name: shortened(name), near }
+        let known = attributes.iter().filter(|attribute| !attribute.hidden).map(|attribute| attribute.name.clone());
+        AttributeError::Unknown { name: shortened(name), near, known: known.collect() }
     })
 }
