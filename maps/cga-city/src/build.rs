@@ -201,7 +201,10 @@ impl Build {
         };
         pool.install(|| blocks(&mut problems)).map_err(unusable)?;
         let log = log.into_inner().unwrap_or_else(PoisonError::into_inner);
-        delete_others(&folder, &log.names).map_err(unusable)?;
+        // A city without lots is a mistake, and the older one stays.
+        if 0 < lots.len() {
+            delete_others(&folder, &log.names).map_err(unusable)?;
+        }
         Ok(Summary {
             rows,
             lots: lots.len(),
@@ -317,11 +320,11 @@ fn hash(name: &str) -> u64 {
     u64::from_le_bytes([a, b, c, d, e, f, g, h])
 }
 
-/// Deletes files of tiles and blocks of earlier runs, and folders that become empty.
+/// Deletes files of tiles and blocks of earlier runs, and folders that become empty. Links are not followed, and files of another kind stay.
 fn delete_others(folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
     for part in ["tiles", "sets"] {
         let path = folder.join(part);
-        if path.is_dir() {
+        if fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
             delete_below(folder, &path, names)?;
         }
     }
@@ -330,12 +333,14 @@ fn delete_others(folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
 
 fn delete_below(root: &Path, folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
     for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
+        let entry = entry?;
+        let (path, kind) = (entry.path(), entry.file_type()?);
+        let is_ours = kind.is_file() && path.extension().is_some_and(|end| end == "glb" || end == "json");
+        if kind.is_dir() {
             delete_below(root, &path, names)?;
             // A folder with files stays.
             let _ = fs::remove_dir(&path);
-        } else if !names.contains(&hash(&path.strip_prefix(root).unwrap_or(&path).to_string_lossy())) {
+        } else if is_ours && !names.contains(&hash(&path.strip_prefix(root).unwrap_or(&path).to_string_lossy())) {
             fs::remove_file(&path)?;
         }
     }

@@ -22,6 +22,10 @@ impl Cell {
     /// The whole world, up to latitudes of 85 degrees.
     pub const WORLD: Cell = Cell { zoom: 0, code: 0 };
 
+    /// The depth from which a cell is one plane with its lots upright: at most 20 km wide. Two lots beside a meridian of the map may have no
+    /// smaller cell around them than the world.
+    pub const WIDEST_TILE: u32 = 11;
+
     /// The smallest cell with two keys.
     pub fn around(first: u64, last: u64) -> Self {
         let levels_up = (u64::BITS - (first ^ last).leading_zeros()).div_ceil(2);

@@ -94,7 +94,8 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
 
 impl Content {
     fn add(&mut self, footprint: &Footprint, is_lost: bool, reason: String) {
-        if self.problems.len() == MOST_PROBLEMS {
+        // Every lost building is listed: a tile has few lots.
+        if !is_lost && MOST_PROBLEMS <= self.problems.len() {
             self.problems_left_out += 1;
             return;
         }

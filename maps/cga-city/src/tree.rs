@@ -80,12 +80,12 @@ impl Trees<'_> {
         Ok(Some(Piece { lots, cell, half: String::new() }))
     }
 
-    /// The largest pieces with at most a number of lots.
+    /// The largest pieces with at most a number of lots, and in cells small enough for one plane.
     ///
     /// # Errors
     /// Errors of the file system.
     pub fn cut(&self, piece: Piece, most: u64) -> io::Result<Vec<Piece>> {
-        if piece.lots.end - piece.lots.start <= most.max(1) {
+        if piece.lots.end - piece.lots.start <= most.max(1) && Cell::WIDEST_TILE <= piece.cell.zoom {
             return Ok(vec![piece]);
         }
         let mut pieces = Vec::new();

@@ -4,7 +4,7 @@ use cga::mesh::read_obj;
 use cga::{Grammar, Shape};
 use serde::Deserialize;
 
-use crate::footprints;
+use crate::footprints::{self, Notes};
 
 /// Initial shapes.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
@@ -40,7 +40,10 @@ impl Lot {
             }
             Lot::Outline(points) => Shape::footprint(points, &[]).map(one).map_err(|error| error.to_string()),
             Lot::GeoJson(text) => {
-                footprints::lots(text, grammar, 0).map_err(|why| format!("the GeoJSON file cannot be used: {why}"))
+                let mut notes = Notes::default();
+                let lots = footprints::lots(text, grammar, 0, &mut notes)
+                    .map_err(|why| format!("the GeoJSON file cannot be used: {why}"))?;
+                Ok((lots, notes.list))
             }
             Lot::Obj(text) => {
                 let file = read_obj(text.as_bytes(), &mut |_| None)
