@@ -202,7 +202,7 @@ impl Build {
         pool.install(|| blocks(&mut problems)).map_err(unusable)?;
         let log = log.into_inner().unwrap_or_else(PoisonError::into_inner);
         // A city without lots is a mistake, and the older one stays.
-        if 0 < lots.len() {
+        if !lots.is_empty() {
             delete_others(&folder, &log.names).map_err(unusable)?;
         }
         Ok(Summary {
@@ -335,7 +335,9 @@ fn delete_below(root: &Path, folder: &Path, names: &HashSet<u64>) -> io::Result<
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let (path, kind) = (entry.path(), entry.file_type()?);
-        let is_ours = kind.is_file() && path.extension().is_some_and(|end| end == "glb" || end == "json");
+        // Also what a run that was killed had begun to write.
+        let is_part = entry.file_name().to_string_lossy().starts_with(".part-");
+        let is_ours = kind.is_file() && (is_part || path.extension().is_some_and(|end| end == "glb" || end == "json"));
         if kind.is_dir() {
             delete_below(root, &path, names)?;
             // A folder with files stays.

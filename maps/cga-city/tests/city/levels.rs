@@ -161,3 +161,26 @@ fn a_city_on_both_sides_of_the_meridian_of_180_degrees_is_whole() {
     assert_eq!(summary.lost, 0);
     assert_eq!(walk(&out).0.len() as u64, summary.levels.iter().map(|level| level.tiles).sum::<u64>());
 }
+
+/// The only cell of the map around lots on both sides of its middle is the whole world.
+#[test]
+fn lots_are_near_the_middle_of_their_tile_wherever_they_are() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, out) = (folder.path().join("town.fgb"), folder.path().join("out"));
+    for middle in [[0.0, 51.48], [180.0, -17.0], [36.9, 0.0]] {
+        Town { middle, ..Town::new(200) }.write(&lots).expect("room");
+        assert_eq!(city(&lots, &out).lost, 0);
+        let mut count = 0;
+        for (name, bytes) in files(&out).iter().filter(|(name, _)| name.starts_with("tiles") && name.ends_with("json"))
+        {
+            let tile: Value = serde_json::from_slice(bytes).expect("JSON");
+            let corners = tile["bounds"].as_array().into_iter().flatten();
+            for number in corners.flat_map(|corner| corner.as_array().expect("a corner")) {
+                let metres = number.as_f64().expect("a number");
+                assert!(metres.abs() < 15_000.0, "{name} around {middle:?}: {metres} m");
+                count += 1;
+            }
+        }
+        assert!(0 < count, "the tiles have boxes");
+    }
+}

@@ -1,5 +1,6 @@
 //! Runs that end early, and runs after a change.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -98,4 +99,33 @@ fn a_folder_with_other_files_is_left_alone() {
     let error = build(&lots, &out, &rules(), options(), &NoProgress).expect_err("refused");
     assert!(error.contains("files that are not a city"), "{error}");
     assert_eq!(std::fs::read_dir(&out).expect("a folder").count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_are_not_followed_and_files_of_others_stay_among_the_tiles() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, out, other) =
+        (folder.path().join("town.geojson"), folder.path().join("out"), folder.path().join("other"));
+    Town::new(20).write(&lots).expect("room");
+    city(&lots, &out);
+    std::fs::create_dir(&other).expect("room");
+    let letters = [other.join("house.glb"), out.join("tiles/notes.txt")];
+    letters.iter().for_each(|path| std::fs::write(path, b"dear").expect("room"));
+    std::os::unix::fs::symlink(&other, out.join("tiles/backup")).expect("a link");
+    city(&lots, &out);
+    assert!(letters.iter().all(|path| path.exists()));
+}
+
+#[test]
+fn a_file_without_lots_leaves_the_older_city() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, out) = (folder.path().join("town.geojson"), folder.path().join("out"));
+    Town::new(20).write(&lots).expect("room");
+    city(&lots, &out);
+    let tiles = |files: BTreeMap<String, Vec<u8>>| files.keys().filter(|name| name.ends_with("glb")).count();
+    let before = tiles(files(&out));
+    std::fs::write(&lots, "{\"type\":\"FeatureCollection\",\"features\":[]}").expect("room");
+    city(&lots, &out);
+    assert!(0 < before && tiles(files(&out)) == before);
 }
