@@ -123,14 +123,18 @@ impl<R: BufRead> JsonObjects<R> {
     }
 
     fn part(&mut self) -> Result<Option<Part>, String> {
-        match self.begin()? {
+        let mut first = self.begin()?;
+        while self.is_list && first == Some(b']') {
+            // Another list may follow in this object, and another object after it.
+            self.text.clear();
+            self.text.push(b'{');
+            self.is_list = false;
+            self.is_list = !self.object()?;
+            first = self.begin()?;
+        }
+        match first {
             None if self.is_list => Err("the file ends inside of its list of features".to_owned()),
             None => Ok(None),
-            Some(b']') if self.is_list => {
-                // Members after the list do not matter.
-                self.is_over = true;
-                Ok(None)
-            }
             Some(b'{') => {
                 self.text.clear();
                 self.text.push(b'{');
@@ -202,6 +206,16 @@ mod tests {
     fn objects_may_follow_each_other_without_a_list() {
         assert_eq!(parts("{\"a\": 1}\n{\"b\": [2]}\n"), ["{\"a\": 1}", "{\"b\": [2]}"]);
         assert_eq!(parts(""), [""; 0]);
+    }
+
+    #[test]
+    fn what_follows_a_list_is_read() {
+        let collection = "{\"features\": [{\"a\": 1}], \"d\": [2]}";
+        let (head, one) = ("head {\"features\": []}", "{\"a\": 1}");
+        assert_eq!(parts(&format!("{one}{collection}\n{collection}{one}")), [one, head, one, head, one, one]);
+        assert_eq!(parts("{\"features\": [{\"a\": 1}], \"features\": [{\"a\": 1}]}"), [head, one, one]);
+        assert_eq!(parts("{\"features\": [] ").last().unwrap(), "broken: the file ends inside of this object");
+        assert_eq!(parts(&format!("{{{}\"b\": 1}}", "\"features\": [],".repeat(50_000))), [head]);
     }
 
     #[test]
