@@ -48,7 +48,10 @@ pub(crate) fn check_outputs(options: &RunOptions) -> Result<(), String> {
         let shown = path.display();
         let folder = folder(path);
         if !folder.is_dir() {
-            return Err(format!("cannot write `{shown}`: there is no folder `{}`; make it first", folder.display()));
+            return Err(format!(
+                "cannot write `{shown}`: the folder `{}` does not exist; make it first",
+                folder.display()
+            ));
         }
         let real =
             folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default());

@@ -81,7 +81,7 @@ pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Pr
     check_outputs(options).map_err(Problem::unusable)?;
     if let Some(folder) = options.assets.as_ref().filter(|folder| !folder.is_dir()) {
         return Err(Problem::unusable(format!(
-            "cannot read assets from `{}`: there is no such folder",
+            "cannot read assets from `{}`: the folder does not exist",
             folder.display()
         )));
     }

@@ -143,7 +143,7 @@ impl RuleLoader {
     /// ```
     ///
     /// # Errors
-    /// There is no such file, or the rules have errors.
+    /// The file does not exist, or the rules have errors.
     pub fn memory_file(&self, name: &str) -> Result<RuleFile, RuleFileError> {
         let mut files = RuleFiles::in_memory(self.memory.clone());
         let number = files.memory_file(name).map_err(RuleFileError::one)?;
@@ -202,9 +202,9 @@ impl RuleLoader {
     fn load(&self, number: usize, mut files: RuleFiles, name: &str) -> Result<RuleFile, RuleFileError> {
         let level = |(name, level): &(String, Level)| match Code::from_name(name) {
             Some(code) => Ok((code, *level)),
-            None => Err(RuleFileError::one(format!(
-                "there are no diagnostics of the name `{name}`; the guide lists the names"
-            ))),
+            None => {
+                Err(RuleFileError::one(format!("`{name}` is not the name of a diagnostic; the guide lists the names")))
+            }
         };
         let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
         let compiled = compile(files.unit(number), &mut files, &levels);
@@ -216,6 +216,7 @@ impl RuleLoader {
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let attributes = attributes(grammar, &defaults);
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
+        let (warnings, list) = (shown(&warnings), files.list().clone());
         Ok(RuleFile {
             values: defaults.as_slice().into(),
             loaded: Arc::new(Loaded {
@@ -223,9 +224,9 @@ impl RuleLoader {
                 attributes,
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
-                warnings: shown(&warnings),
-                files: files.list().clone(),
-                texts: files.texts(),
+                warnings,
+                files: list,
+                texts: files.into_texts(),
             }),
         })
     }

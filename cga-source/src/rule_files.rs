@@ -173,8 +173,8 @@ impl RuleFiles {
     }
 
     /// The names and texts of all files so far, sorted by name.
-    pub fn texts(&self) -> Vec<(String, String)> {
-        let mut texts: Vec<_> = self.entries.iter().map(|file| (file.name.clone(), file.text.clone())).collect();
+    pub fn into_texts(self) -> Vec<(String, String)> {
+        let mut texts: Vec<_> = self.entries.into_iter().map(|file| (file.name, file.text)).collect();
         texts.sort_unstable();
         texts
     }

@@ -172,7 +172,7 @@ fn the_package_is_the_folder_of_the_rules() {
 #[test]
 fn a_program_without_its_folder_says_so() {
     let error = Live::in_folder(Tower::default(), "no/such/folder").expect_err("no folder");
-    assert_eq!(error.to_string(), "the rule files cannot be watched: there is no folder `no/such/folder`");
+    assert_eq!(error.to_string(), "the rule files cannot be watched: the folder `no/such/folder` does not exist");
 }
 
 #[test]

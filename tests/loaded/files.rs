@@ -76,7 +76,7 @@ fn errors_are_shown_as_the_compiler_shows_them() {
     let denied = RuleFile::loader().deny("undefined_rule").text("Lot --> Wal").expect_err("an error");
     assert!(denied.to_string().starts_with("error[undefined_rule]: there is no rule `Wal`"), "{denied}");
     let unknown = RuleFile::loader().allow("no_such_code").text("Lot --> X.").expect_err("an error");
-    assert!(unknown.to_string().starts_with("there are no diagnostics of the name `no_such_code`"), "{unknown}");
+    assert!(unknown.to_string().starts_with("`no_such_code` is not the name of a diagnostic"), "{unknown}");
 }
 
 #[test]

@@ -117,7 +117,7 @@ impl Live {
         folder: &Path,
     ) -> Result<Self, LiveError> {
         if !folder.is_dir() {
-            return Err(LiveError::Watch(format!("there is no folder `{}`", folder.display())));
+            return Err(LiveError::Watch(format!("the folder `{}` does not exist", folder.display())));
         }
         let mut loader = RuleLoader::new().named(source.name).root(folder).with_compiled(source.calls);
         for &(code, level) in source.levels {

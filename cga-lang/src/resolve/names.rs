@@ -312,11 +312,10 @@ impl<'a> Resolver<'_, 'a, '_> {
                 }
                 continue;
             }
-            let text_param = fitting.iter().find(|row| row.params[index].kind.ty() == Some(Type::Text));
-            let all_text = fitting.iter().all(|row| row.params[index].kind.ty() == Some(Type::Text));
+            let takes_text = |row: &&Function| row.params[index].kind.ty() == Some(Type::Text);
             if candidates.is_empty()
-                && all_text
-                && let Some(row) = text_param
+                && let Some(row) = fitting.first()
+                && fitting.iter().all(takes_text)
                 && self.unquoted(row.params[index].kind, arg)
             {
                 continue;
