@@ -5,7 +5,8 @@
 //! This program draws the images and writes them to `out/textured`. The bricks are projected once for each façade, so
 //! their pattern continues around its windows. Each window has its own image.
 
-mod images;
+#[path = "materials/mod.rs"]
+mod materials;
 
 use std::error::Error;
 use std::path::Path;
@@ -14,7 +15,7 @@ use cga::sink::picture::{Image, Picture};
 use cga::street::{Centerline, Network, NetworkOptions, StreetError};
 use cga::{Assets, Model, Settings, Shape, cga};
 
-use images::{bricks, grain, shop, slabs, tiles, window};
+use materials::opening::{shop, window};
 
 cga! {
     /// A tower of brick at a corner. The images come from a folder that this program fills.
@@ -27,7 +28,7 @@ cga! {
 
     @StartRule
     Lot      --> extrude(height) comp(f) { side : Facade | top : Roof }
-    Facade   --> setupProjection(0, scope.xy, 2, 1.2)
+    Facade   --> setupProjection(0, scope.xy, 1.8, 1.2)
                  split(y) { 4.4 : Shops | 0.3 : Ledge | { ~storey : Storey }* | 0.5 : Ledge }
     Storey   --> split(x) { ~0.8 : Wall | { ~3 : Bay }* | ~0.8 : Wall }
     Bay      --> split(x) { ~1 : Wall | 1.3 : Column | ~1 : Wall }
@@ -55,13 +56,13 @@ cga! {
     Street   --> split(u, unitSpace, 0) { 1 : Lane | 3 : Zebra | ~1 : Middle | 3 : Zebra | 1 : Lane }
     Zebra    --> split(v, unitSpace, 0) { { ~0.6 : Lane | ~0.6 : Dash }* | ~0.6 : Lane }
     Middle   --> split(v, unitSpace, 0) { ~1 : Lane | 0.15 : Line | ~1 : Lane }
-    Lane     --> tileUV(0, 4, 4) texture("asphalt.png") Roadway.
+    Lane     --> tileUV(0, 3, 3) color("#6a6b70") texture("asphalt.png") Roadway.
     Line     --> split(u, unitSpace, 0) { { ~2 : Dash | ~3 : Lane }* | ~2 : Dash }
     Dash     --> deleteUV(0) color("#f4f1e6") Marking.
     Joint    --> Lane
     Junction --> Lane
     Crossing --> Lane
-    Sidewalk --> tileUV(0, 1.5, 1.5) texture("slabs.png") extrude(world.up, 0.15) Pavement.
+    Sidewalk --> tileUV(0, 1.8, 1.6) color("#cfc8bb") texture("slabs.png") extrude(world.up, 0.15) Pavement.
 }
 
 /// A lot with a cut corner.
@@ -107,12 +108,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// The images by name.
 pub(crate) fn images() -> Vec<(&'static str, Image)> {
-    vec![
-        ("bricks.png", bricks()),
-        ("window.png", window()),
-        ("shop.png", shop()),
-        ("tiles.png", tiles()),
-        ("asphalt.png", grain(256, [86, 87, 92], 18)),
-        ("slabs.png", slabs()),
-    ]
+    let mut images = materials::images();
+    let names = [
+        ("bricks.png", "brick_red.png"),
+        ("tiles.png", "tile_red.png"),
+        ("asphalt.png", "asphalt.png"),
+        ("slabs.png", "paving.png"),
+    ];
+    let drawn = names.into_iter().filter_map(|(name, material)| Some((name, images.remove(material)?)));
+    drawn.chain([("window.png", window()), ("shop.png", shop())]).collect()
 }

@@ -30,6 +30,8 @@ pub struct Face<'a> {
     pub color_uvs: Option<&'a [DVec2]>,
     /// The places of the corners in the paint's opacity image.
     pub opacity_uvs: Option<&'a [DVec2]>,
+    /// The places of the corners in the paint's normal map.
+    pub normal_uvs: Option<&'a [DVec2]>,
 }
 
 impl<'a> Face<'a> {
@@ -45,6 +47,7 @@ impl<'a> Face<'a> {
             normals: None,
             color_uvs: None,
             opacity_uvs: None,
+            normal_uvs: None,
         }
     }
 }

@@ -48,6 +48,15 @@ impl Footprint {
     }
 }
 
+/// The directions on a triangle in which u and v grow; `None` if its corners have places in one line.
+fn slopes(triangle: &Triangle, corners: &CornerUvs) -> Option<[DVec3; 2]> {
+    let [a, b, c] = triangle.corners();
+    let [ua, ub, uc] = corners.each(|[u, v]| DVec2::new(u.into(), v.into()));
+    let ((e, f), (p, q)) = ((b - a, c - a), (ub - ua, uc - ua));
+    let area = p.perp_dot(q);
+    (area != 0.0).then(|| [(e * q.y - f * p.y) / area, (f * p.x - e * q.x) / area])
+}
+
 impl Scene {
     /// The paint of a triangle at the point of a sample, with its images.
     pub(crate) fn paint_at(&self, triangle: &Triangle, view: &Viewport, sample: [f64; 2], point: DVec3) -> Paint {
@@ -66,6 +75,29 @@ impl Scene {
             };
         }
         paint
+    }
+
+    /// The normal at the point of a sample, with the triangle's normal map. `normal` is the normal of the visible side without it.
+    pub(crate) fn relief_at(
+        &self,
+        triangle: &Triangle,
+        view: &Viewport,
+        sample: [f64; 2],
+        point: DVec3,
+        normal: DVec3,
+    ) -> DVec3 {
+        let Some([_, _, Some(corners)]) = self.uvs.get(triangle.uvs as usize) else { return normal };
+        let Some(image) = self.paints[triangle.paint as usize].normal_image else { return normal };
+        let Some([along_u, along_v]) = slopes(triangle, corners) else { return normal };
+        let texel = Footprint::of(triangle, view, sample, point).sample(self.texture(image), corners);
+        let slope = texel.truncate().as_dvec3() * 2.0 - 1.0;
+        // Bytes have no exact 0.
+        let flat = |slope: f64| if slope.abs() < 0.5 / 255.0 { 0.0 } else { slope };
+        let tangent = |axis: DVec3| (axis - normal * axis.dot(normal)).normalize_or_zero();
+        // At the back the relief goes in.
+        let side = if triangle.normal().dot(normal) < 0.0 { -1.0 } else { 1.0 };
+        let aside = tangent(along_u) * flat(slope.x) + tangent(along_v) * flat(slope.y);
+        (aside * side + normal * slope.z.max(0.1)).normalize_or(normal)
     }
 
     /// The mean opacity of a triangle.

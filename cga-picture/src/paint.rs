@@ -35,11 +35,22 @@ pub struct Paint {
     /// The image whose alpha channel is multiplied by the opacity, on faces with
     /// [`Face::opacity_uvs`](crate::Face::opacity_uvs), and its effect.
     pub opacity_image: Option<(ImageId, Alpha)>,
+    /// The normal map, an image of [`Scene::add_normal_map`](crate::Scene::add_normal_map), on faces with
+    /// [`Face::normal_uvs`](crate::Face::normal_uvs).
+    pub normal_image: Option<ImageId>,
 }
 
 impl Default for Paint {
     /// White, opaque and matte.
     fn default() -> Self {
-        Paint { color: Vec3::ONE, opacity: 1.0, metallic: 0.0, gloss: 0.0, color_image: None, opacity_image: None }
+        Paint {
+            color: Vec3::ONE,
+            opacity: 1.0,
+            metallic: 0.0,
+            gloss: 0.0,
+            color_image: None,
+            opacity_image: None,
+            normal_image: None,
+        }
     }
 }

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3, Vec3};
 use crate::bitmap::Bitmap;
 use crate::face::Face;
 use crate::paint::{ImageId, Paint, PaintId};
-use crate::texture::Texture;
+use crate::texture::{Encoding, Texture};
 
 /// A triangle, its coordinates relative to [`Scene::centre`].
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +43,8 @@ pub struct Scene {
     pub(crate) centre: DVec3,
     pub(crate) triangles: Vec<Triangle>,
     pub(crate) paints: Vec<Paint>,
-    /// The places of triangles' corners in the images for colour and for opacity.
-    pub(crate) uvs: Vec<[Option<CornerUvs>; 2]>,
+    /// The places of triangles' corners in the images for colour, for opacity and for normals.
+    pub(crate) uvs: Vec<[Option<CornerUvs>; 3]>,
     /// True if facets may represent round surfaces.
     pub(crate) round: bool,
     textures: Vec<Texture>,
@@ -88,8 +88,18 @@ impl Scene {
 
     /// Adds an image for paints. An image without pixels is white.
     pub fn add_image(&mut self, image: Bitmap) -> ImageId {
+        self.add_texture(image, [255; 4], Encoding::Srgb)
+    }
+
+    /// Adds a normal map for paints, encoded as in glTF: red and green are the slope along u and v, from -1 to 1, and blue is the part
+    /// along the normal. An image without pixels is flat.
+    pub fn add_normal_map(&mut self, image: Bitmap) -> ImageId {
+        self.add_texture(image, [128, 128, 255, 255], Encoding::Linear)
+    }
+
+    fn add_texture(&mut self, image: Bitmap, plain: [u8; 4], encoding: Encoding) -> ImageId {
         let is_empty = image.width == 0 || image.height == 0;
-        self.textures.push(Texture::new(if is_empty { Bitmap::filled(1, 1, [255; 4]) } else { image }));
+        self.textures.push(Texture::new(if is_empty { Bitmap::filled(1, 1, plain) } else { image }, encoding));
         ImageId((self.textures.len() - 1) as u32)
     }
 
@@ -99,6 +109,7 @@ impl Scene {
         self.paints.push(Paint {
             color_image: paint.color_image.filter(|image| is_known(*image)),
             opacity_image: paint.opacity_image.filter(|(image, _)| is_known(*image)),
+            normal_image: paint.normal_image.filter(|image| is_known(*image)),
             ..paint
         });
         PaintId((self.paints.len() - 1) as u32)
@@ -115,7 +126,9 @@ impl Scene {
     /// coordinates nor smooth normals. A face with an unknown paint is not drawn.
     pub fn add_face(&mut self, face: &Face<'_>) {
         let &Face { corners, triangles, normal, paint: PaintId(paint), leaf, round, .. } = face;
-        let Some(&Paint { color_image, opacity_image, .. }) = self.paints.get(paint as usize) else { return };
+        let Some(&Paint { color_image, opacity_image, normal_image, .. }) = self.paints.get(paint as usize) else {
+            return;
+        };
         self.round |= round;
         let (Some(&point), first) = (corners.first(), self.triangles.len()) else { return };
         let plane = self.plane(point - self.centre, normal);
@@ -138,11 +151,12 @@ impl Scene {
                 self.smooth.push(corners.each(|i| normals.get(i as usize).map_or(flat, |normal| normal.as_vec3())));
             }
         }
-        let both = [color_image.and(face.color_uvs), opacity_image.and(face.opacity_uvs)];
-        if both != [None, None] {
+        let uvs =
+            [color_image.and(face.color_uvs), opacity_image.and(face.opacity_uvs), normal_image.and(face.normal_uvs)];
+        if uvs.iter().any(Option::is_some) {
             for (triangle, corners) in added.iter_mut().zip(triangles) {
                 triangle.uvs = self.uvs.len() as u32;
-                self.uvs.push(both.each(|uvs| uvs.map(|uvs| corner_uvs(uvs, *corners))));
+                self.uvs.push(uvs.each(|uvs| uvs.map(|uvs| corner_uvs(uvs, *corners))));
             }
         }
     }

@@ -1,5 +1,8 @@
 //! Images on surfaces: smaller copies of each, and interpolation between pixels.
 
+use std::array::from_fn;
+use std::sync::OnceLock;
+
 use cga_geometry::each::Each;
 use glam::{DVec2, Vec4};
 
@@ -10,43 +13,63 @@ use crate::gamma::{Gamma, linear};
 #[derive(Debug)]
 pub(crate) struct Texture {
     levels: Vec<Bitmap>,
+    encoding: Encoding,
 }
 
-/// A texel: linear red, green and blue, and opacity.
+/// The meaning of the bytes of an image.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Encoding {
+    /// Colours.
+    Srgb,
+    /// Numbers, such as the directions of a normal map.
+    Linear,
+}
+
+/// A texel: red, green and blue, linear, and opacity.
 pub(crate) type Texel = Vec4;
 
 /// The largest number of places that are averaged along the longer side of a sample's part of an image.
 const MOST_TAPS: f64 = 16.0;
 
-/// Linear channels of sRGB bytes.
-fn table() -> &'static [f32; 256] {
-    static TABLE: std::sync::OnceLock<[f32; 256]> = std::sync::OnceLock::new();
-    TABLE.get_or_init(|| std::array::from_fn(|byte| linear(byte as f64 / 255.0) as f32))
-}
+impl Encoding {
+    /// Linear channels of bytes.
+    fn table(self) -> &'static [f32; 256] {
+        static TABLES: OnceLock<[[f32; 256]; 2]> = OnceLock::new();
+        let share = |byte: usize| byte as f64 / 255.0;
+        let tables = || [from_fn(|byte| linear(share(byte)) as f32), from_fn(|byte| share(byte) as f32)];
+        &TABLES.get_or_init(tables)[self as usize]
+    }
 
-fn texel(pixel: [u8; 4]) -> Texel {
-    let [r, g, b, a] = pixel;
-    let table = table();
-    Vec4::new(table[r as usize], table[g as usize], table[b as usize], f32::from(a) / 255.0)
+    fn texel(self, [r, g, b, a]: [u8; 4]) -> Texel {
+        let table = self.table();
+        Vec4::new(table[r as usize], table[g as usize], table[b as usize], f32::from(a) / 255.0)
+    }
+
+    /// The pixel of a texel. `gamma` is for colours.
+    fn pixel(self, texel: Texel, gamma: &Gamma) -> [u8; 4] {
+        let plain = |channel: f32| (channel * 255.0 + 0.5) as u8;
+        let channel = |channel: f32| if self == Encoding::Srgb { gamma.byte(channel) } else { plain(channel) };
+        [channel(texel.x), channel(texel.y), channel(texel.z), plain(texel.w)]
+    }
 }
 
 impl Texture {
     /// Makes the smaller copies of an image.
-    pub(crate) fn new(image: Bitmap) -> Self {
+    pub(crate) fn new(image: Bitmap, encoding: Encoding) -> Self {
         let gamma = Gamma::new();
         let mut levels = vec![image];
         while let Some(last) = levels.last()
             && 1 < last.width.max(last.height)
         {
-            let half = halved(last, &gamma);
+            let half = halved(last, encoding, &gamma);
             levels.push(half);
         }
-        Texture { levels }
+        Texture { levels, encoding }
     }
 
     /// The mean colour and opacity of the image.
     pub(crate) fn mean(&self) -> Texel {
-        self.levels.last().and_then(|last| last.pixel(0, 0)).map_or(Vec4::ONE, texel)
+        self.levels.last().and_then(|last| last.pixel(0, 0)).map_or(Vec4::ONE, |pixel| self.encoding.texel(pixel))
     }
 
     /// The mean colour of a parallelogram in the endlessly repeated image, given by its centre and two sides. v runs
@@ -74,17 +97,17 @@ impl Texture {
         let last = self.levels.len() - 1;
         let level = level.min(last as f64);
         let (low, share) = (level as usize, level.fract() as f32);
-        let near = between_pixels(&self.levels[low], at);
+        let near = between_pixels(&self.levels[low], self.encoding, at);
         if share == 0.0 {
             return near;
         }
-        let far = between_pixels(&self.levels[(low + 1).min(last)], at);
+        let far = between_pixels(&self.levels[(low + 1).min(last)], self.encoding, at);
         near + (far - near) * share
     }
 }
 
 /// The colour interpolated between four pixels.
-fn between_pixels(image: &Bitmap, at: DVec2) -> Texel {
+fn between_pixels(image: &Bitmap, encoding: Encoding, at: DVec2) -> Texel {
     let place = |coordinate: f64, size: usize| {
         let place = (coordinate - libm::floor(coordinate)) * size as f64 - 0.5;
         let low = libm::floor(place);
@@ -93,14 +116,14 @@ fn between_pixels(image: &Bitmap, at: DVec2) -> Texel {
     };
     let (x0, x1, fx) = place(at.x, image.width);
     let (y0, y1, fy) = place(1.0 - at.y, image.height);
-    let corner = |x, y| texel(image.pixel(x, y).unwrap_or([255; 4]));
+    let corner = |x, y| encoding.texel(image.pixel(x, y).unwrap_or([255; 4]));
     let (a, b, c, d) = (corner(x0, y0), corner(x1, y0), corner(x0, y1), corner(x1, y1));
     let (top, bottom) = (a + (b - a) * fx, c + (d - c) * fx);
     top + (bottom - top) * fy
 }
 
 /// The image at half its size. At an odd size the last row or column is used twice.
-fn halved(image: &Bitmap, gamma: &Gamma) -> Bitmap {
+fn halved(image: &Bitmap, encoding: Encoding, gamma: &Gamma) -> Bitmap {
     let (width, height) = (image.width.div_ceil(2), image.height.div_ceil(2));
     let mut rgba = Vec::with_capacity(4 * width * height);
     for y in 0..height {
@@ -108,9 +131,9 @@ fn halved(image: &Bitmap, gamma: &Gamma) -> Bitmap {
             let mut sum = Texel::ZERO;
             for (dx, dy) in [(0, 0), (1, 0), (0, 1), (1, 1)] {
                 let (x, y) = ((2 * x + dx).min(image.width - 1), (2 * y + dy).min(image.height - 1));
-                sum += 0.25 * texel(image.pixel(x, y).unwrap_or([255; 4]));
+                sum += 0.25 * encoding.texel(image.pixel(x, y).unwrap_or([255; 4]));
             }
-            rgba.extend([gamma.byte(sum[0]), gamma.byte(sum[1]), gamma.byte(sum[2]), (sum[3] * 255.0 + 0.5) as u8]);
+            rgba.extend(encoding.pixel(sum, gamma));
         }
     }
     Bitmap { width, height, rgba }
@@ -125,7 +148,7 @@ mod tests {
         for at in (0..64).filter(|at| (at % 8 + at / 8) % 2 == 1) {
             image.rgba[4 * at..4 * at + 3].fill(0);
         }
-        Texture::new(image)
+        Texture::new(image, Encoding::Srgb)
     }
 
     #[test]
@@ -146,7 +169,7 @@ mod tests {
 
     #[test]
     fn no_coordinates_are_too_large() {
-        let texture = Texture::new(Bitmap::filled(1, 1, [255, 0, 0, 128]));
+        let texture = Texture::new(Bitmap::filled(1, 1, [255, 0, 0, 128]), Encoding::Srgb);
         for huge in [1e9, -1e9, 1e300, f64::MAX, f64::INFINITY, f64::NAN] {
             for sides in [[DVec2::ZERO; 2], [DVec2::splat(huge); 2], [DVec2::X, DVec2::Y * huge]] {
                 let [r, g, b, a] = texture.sample(DVec2::new(huge, 0.5), sides).to_array();
@@ -158,8 +181,21 @@ mod tests {
 
     #[test]
     fn long_images_have_levels_of_one_pixel_width() {
-        let texture = Texture::new(Bitmap::filled(5, 1, [9; 4]));
+        let texture = Texture::new(Bitmap::filled(5, 1, [9; 4]), Encoding::Srgb);
         let sizes: Vec<_> = texture.levels.iter().map(|level| (level.width, level.height)).collect();
         assert_eq!(sizes, [(5, 1), (3, 1), (2, 1), (1, 1)]);
+    }
+
+    /// The mean of two directions is the direction between them, and the mean of black and white is brighter than half.
+    #[test]
+    fn numbers_and_colours_have_other_means() {
+        let mean = |encoding| {
+            let mut image = Bitmap::filled(2, 1, [255; 4]);
+            image.rgba[..4].copy_from_slice(&[0; 4]);
+            let texture = Texture::new(image, encoding);
+            texture.levels[1].pixel(0, 0)
+        };
+        assert_eq!(mean(Encoding::Linear), Some([128; 4]));
+        assert_eq!(mean(Encoding::Srgb), Some([188, 188, 188, 128]));
     }
 }

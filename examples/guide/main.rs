@@ -2,8 +2,8 @@
 //!
 //! `cargo run --release --example guide`
 
-#[path = "../images/mod.rs"]
-mod images;
+#[path = "../materials/mod.rs"]
+mod materials;
 mod step_01;
 mod step_02;
 mod step_03;
@@ -24,8 +24,10 @@ use cga::{Assets, Grammar, Model, Settings, Shape};
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = Path::new("out/guide");
     std::fs::create_dir_all(folder)?;
-    images::bricks().write_png(folder.join("bricks.png"))?;
-    images::tiles().write_png(folder.join("tiles.png"))?;
+    let images = materials::images();
+    for (name, material) in [("bricks.png", "brick_red.png"), ("tiles.png", "tile_red.png")] {
+        images[material].write_png(folder.join(name))?;
+    }
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
     for step in 1..=STEPS {
         write(step, &model(step, &settings)?)?;

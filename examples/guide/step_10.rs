@@ -21,7 +21,7 @@ cga! {
     Plinth  --> s(scope.sx + 0.2, ^1, scope.sz + 0.2) center(xz) color("#8d8a83") Plinth.
     Walls   --> comp(f) { front : Facade(true) | side : Facade(false) }
     Facade(hasDoor) -->
-        setupProjection(0, scope.xy, 1.6, 1.6)
+        setupProjection(0, scope.xy, 1.8, 1.2)
         split(y) { ~height : Ground(hasDoor) | { ~height : Storey }* }
     Ground(hasDoor) -->
         case hasDoor : split(x) { ~1 : Storey | 1.5 : Entrance | ~1 : Storey }
@@ -39,6 +39,6 @@ cga! {
     Wall    --> color(tint) texture("bricks.png") projectUV(0) Wall.
     Cornice --> s(scope.sx + 0.4, ^1, scope.sz + 0.4) center(xz) color("#f6f0e4") comp(f) { top : Roof | all : Cornice. }
     Roof    --> roofGable(slope, 0.5, 0.4) comp(f) { isTagged("roof.side") : Gable | isTagged("roof.bottom") : NIL | all : Plane }
-    Gable   --> setupProjection(0, scope.xy, 1.6, 1.6) Wall
-    Plane   --> extrude(0.12) setupProjection(0, scope.xy, 2.4, 2.4) texture("tiles.png") projectUV(0) Tiles.
+    Gable   --> setupProjection(0, scope.xy, 1.8, 1.2) Wall
+    Plane   --> setupProjection(0, scope.xy, 2, 2) extrude(0.12) texture("tiles.png") projectUV(0) Tiles.
 }

@@ -5,6 +5,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// A perimeter block: houses of different width and colour under one roof, shops at the street, a green courtyard.
     pub grammar Courtyard;
 
@@ -34,18 +36,20 @@ cga! {
 
     plaster = 22% : "#e8d3a4" 20% : "#dcb48f" 18% : "#e9e2d2" 16% : "#c9cfc4" 12% : "#c98f6f" else : "#b9c3cd"
     shutter = 50% : "#4d6b5a" 30% : "#5d7080" else : "#7d4a3a"
-    leaves = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+    leaves = 40% : "#86ad60" 35% : "#6d9a57" else : "#a3c06c"
 
     @StartRule
     Block   --> Pavement offset(-3, inside) Plot
-    Pavement --> extrude(0.15) color("#cbc4b6") Pavement.
+    Pavement --> setupProjection(0, world.xz, 1.8, 1.6) extrude(0.15) color("#d6cfc2")
+                texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Pavement.
     Plot    --> t(0, 0.15, 0) shapeO(depth, depth, depth, depth) { shape : Ring | remainder : Court }
 
     // One mass and one roof for the whole ring, with chimneys along the ridge.
     Ring    --> [ extrude(eaves) comp(f) { side : Side | all : NIL } ]
                 t(0, eaves, 0) roofHip(slope, 0.5) Roof
     Roof    --> [ comp(e) { ridge : alignScopeToAxes(y) Ridge } ] comp(f) { bottom : color("#efe6d4") Eaves. | all : Slope }
-    Slope   --> [ color(tiles) Tiles. ] Skylights
+    Slope   --> [ setupProjection(0, scope.xy, 2, 2) color(tiles)
+                texture("tile.png") set(material.normalmap, "tile_normal.png") projectUV(0) Tiles. ] Skylights
     Skylights -->
                 split(x) { ~depth : NIL | { ~6 : split(x) { ~1 : NIL | 1.1 : split(y) { ^0.3 : NIL | 1.5 : Skylight | ~1 : NIL } | ~1 : NIL } }* | ~depth : NIL }
     Ridge   --> split(x) { { ~house : Chimney }* }
@@ -55,11 +59,12 @@ cga! {
 
     // The sides at the street and at the court are rows of houses.
     Side    --> split(x) { { ~house : House }* }
-    House   --> color(plaster) Front(shutter)
+    House   --> color(plaster) setupProjection(0, scope.xy, 2.4, 2.4) Front(shutter)
+    Wall    --> texture("plaster.png") set(material.normalmap, "plaster_normal.png") projectUV(0) Wall.
     Front(tint) --> split(y) { ground : Ground | { ~storey : Floor(tint) }* | 0.5 : Cornice }
     Cornice --> extrude(0.35) color("#f1e9da") Cornice.
-    Floor(tint) --> split(x) { ~0.7 : Wall. | { ~0.6 : Wall. | 1.1 : Opening(tint) | ~0.6 : Wall. }* | ~0.7 : Wall. }
-    Opening(tint) --> split(y) { 0.85 : Wall. | 1.75 : Window(tint) | ~1 : Wall. }
+    Floor(tint) --> split(x) { ~0.7 : Wall | { ~0.6 : Wall | 1.1 : Opening(tint) | ~0.6 : Wall }* | ~0.7 : Wall }
+    Opening(tint) --> split(y) { 0.85 : Wall | 1.75 : Window(tint) | ~1 : Wall }
     Window(tint) --> [ t(0, -0.12, 0) s(scope.sx + 0.3, 0.12, 0) center(x) extrude(0.18) color("#f1e9da") Sill. ]
                 [ Shutters(tint) ] [ Recess(0.2) ]
                 t(0, 0, -0.2) split(x) { 0.08 : Frame | ~1 : Pane | 0.06 : Frame | ~1 : Pane | 0.08 : Frame }
@@ -73,19 +78,27 @@ cga! {
     Shop    --> 62% : split(x) { 0.35 : Pier | ~1 : Display | 0.35 : Pier }
                 26% : split(x) { ~1 : Pier | 1.5 : Door | ~1 : Pier }
                 else : Floor(shutter)
-    Pier    --> color("#d8cdb9") extrude(0.1) Pier.
+    Pier    --> setupProjection(0, scope.xy, 2.7, 1.8) color("#e0d6c4") extrude(0.1)
+                texture("stone.png") set(material.normalmap, "stone_normal.png") projectUV(0) Pier.
     Display --> split(y) { 0.5 : Pier | ~1 : [ Recess(0.25) ] t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
     Awning  --> color(awning) roofShed(20) Awning.
     awning = 40% : "#a8473c" 30% : "#3f6b62" else : "#d8b15a"
     Door    --> split(y) { 0.1 : Pier | 2.5 : [ Recess(0.25) ] t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
 
     // Gravel along the walls, grass in the middle.
-    Court   --> [ extrude(0.1) color("#d3c8b1") Gravel. ]
-                t(0, 0.1, 0) offset(-4, inside) [ extrude(0.15) color(grass) Lawn. ]
+    Court   --> [ setupProjection(0, world.xz, 3, 3) extrude(0.1) color("#dccfb6")
+                texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") projectUV(0) Gravel. ]
+                t(0, 0.1, 0) offset(-4, inside) [ setupProjection(0, world.xz, 4, 4) extrude(0.15) color(grass) texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
                 offset(-3, inside) scatter(surface, trees, uniform) { Tree }
-    Tree    --> [ s(0.4, 2.6, 0.4) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
+    Tree    --> [ s(0.4, 2.6, 0.4) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 3)
+                texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, 2, 0) Crown(rand(3.4, 5.4))
-    Crown(size) --> color(leaves) s(size, size, size) center(xz) primitiveSphere(12, 8) Crown.
+    // A crown is a ball with smaller ones on it.
+    Crown(size) --> color(leaves) s(size, size, size) center(xz) Balls(size)
+    Balls(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
+                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 9, uniform) { Bough(size) }
+    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(10, 7) Leafy(size)
+    Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 }
 
 pub fn scene() -> Scene<()> {

@@ -2,9 +2,13 @@
 //! draws or reads files, so the scenes also run in a browser.
 
 mod bridge;
+mod corner;
 mod courtyard;
+mod dungeon;
 mod fence;
 mod interior;
+#[path = "../materials/mod.rs"]
+pub mod materials;
 mod park;
 mod pavilion;
 pub mod scene;
@@ -21,9 +25,10 @@ pub use scene::Scene;
 
 /// All scenes, in the order of the page.
 pub fn scenes() -> Vec<Scene> {
-    let grammars: [Box<dyn Grammar + Send + Sync>; 12] = [
+    let grammars: [Box<dyn Grammar + Send + Sync>; 14] = [
         Box::new(tower::Tower::default()),
         Box::new(town_house::TownHouse::default()),
+        Box::new(corner::Corner::default()),
         Box::new(courtyard::Courtyard::default()),
         Box::new(stadium::Stadium::default()),
         Box::new(bridge::Bridge::default()),
@@ -34,15 +39,17 @@ pub fn scenes() -> Vec<Scene> {
         Box::new(fence::Fence::default()),
         Box::new(pavilion::Pavilion::default()),
         Box::new(park::Park::default()),
+        Box::new(dungeon::Dungeon::default()),
     ];
     layouts().into_iter().zip(grammars).map(|(layout, grammar)| layout.with(grammar)).collect()
 }
 
 /// All scenes without compiled rules, for programs that load the text of the rules.
-pub fn layouts() -> [Scene<()>; 12] {
+pub fn layouts() -> [Scene<()>; 14] {
     [
         tower::scene(),
         town_house::scene(),
+        corner::scene(),
         courtyard::scene(),
         stadium::scene(),
         bridge::scene(),
@@ -53,5 +60,6 @@ pub fn layouts() -> [Scene<()>; 12] {
         fence::scene(),
         pavilion::scene(),
         park::scene(),
+        dungeon::scene(),
     ]
 }

@@ -5,6 +5,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// A park on a lot of any outline: paths to a round pond, lawns between them, trees, benches, flower beds.
     pub grammar Park;
 
@@ -30,12 +32,13 @@ cga! {
     @Color
     attr water = "#5b96ab"
 
-    leaves = 35% : "#5c8443" 30% : "#739a50" 20% : "#8aa854" else : "#a5a348"
-    autumn = 12% : "#c98a3b" else : leaves
+    leaves = 35% : "#7da85e" 30% : "#8fba66" 20% : "#a5c266" else : "#c2be5a"
+    autumn = 12% : "#e0a04a" else : leaves
     petals = 30% : "#d65a6c" 30% : "#e8c14a" 20% : "#8f6bb0" else : "#f2efe6"
 
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) extrude(0.3) color(gravel) Gravel. ]
+    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 3, 3) extrude(0.3) color(gravel)
+                texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") projectUV(0) Gravel. ]
                 [ subtract { offset(-width, inside) | Ways(scope.sx + scope.sz) } comp(f) { all : Lawn } ]
                 Middle
     // A disk for the square and strips for the paths: their area is cut out of the lawn.
@@ -44,30 +47,36 @@ cga! {
                 else : [ s(length, 0, width) center(xz) r(scopeCenter, 0, 180 * n / paths + 15, 0) primitiveQuad Way. ] Path(length, n - 1)
 
     // Each piece of lawn has a kerb and trees that keep away from it.
-    Lawn    --> alignScopeToAxes(y) [ offset(-0.25) comp(f) { border : extrude(0.28) color("#b9ad97") Kerb. | inside : extrude(0.22) color(grass) Lawn. } ]
+    Lawn    --> alignScopeToAxes(y) [ offset(-0.25) comp(f) { border : extrude(0.28) color("#b9ad97") Kerb. | inside : setupProjection(0, world.xz, 4, 4) extrude(0.22) color(grass)
+                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. } ]
                 t(0, 0.22, 0) Planted
     Planted --> case geometry.area < 60 : NIL
                 else : [ offset(-3.5, inside) scatter(surface, ceil(density * geometry.area / 100), uniform) { Tree(rand(0.7, 1.2)) } ]
                        offset(-1.2, inside) scatter(surface, ceil(geometry.area / 40), uniform) { Shrub }
-    Shrub   --> s(rand(0.6, 1.5), rand(0.4, 1), rand(0.6, 1.5)) center(xz) primitiveSphere(9, 6) color(leaves) Shrub.
+    Shrub   --> s(rand(0.6, 1.5), rand(0.4, 1), rand(0.6, 1.5)) center(xz) primitiveSphere(9, 6) scaleUV(0, 3, 1.5) color(leaves)
+                texture("leaves.png") set(material.normalmap, "leaves_normal.png") Shrub.
 
     Tree(k) --> case p(needles) : s(3.6 * k, 9 * k, 3.6 * k) center(xz) Fir
                 else            : s(5.6 * k, 7.5 * k, 5.6 * k) center(xz) color(autumn) Oak
     Fir     --> [ s(0.4, ^0.2, 0.4) center(xz) primitiveCylinder(8) color("#5f4630") Trunk. ]
-                t(0, ^0.14, 0) s(^1, ^0.86, ^1) color("#40684a") Whorls(3)
+                t(0, ^0.14, 0) s(^1, ^0.86, ^1) color("#5c8f68") Whorls(3)
     // Cones, each smaller and higher than the one below.
     Whorls(n) --> case n == 0 : NIL
-                else : [ s(^1, ^0.62, ^1) primitiveCone(11) Needles. ] t(0, ^0.34, 0) s(^0.74, ^0.66, ^0.74) center(xz) Whorls(n - 1)
-    Oak     --> [ s(0.5, ^0.4, 0.5) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
-                t(0, ^0.28, 0) s(^1, ^0.72, ^1) [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Crown. ]
+                else : [ s(^1, ^0.62, ^1) primitiveCone(11) scaleUV(0, 6, 3) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Needles. ] t(0, ^0.34, 0) s(^0.74, ^0.66, ^0.74) center(xz) Whorls(n - 1)
+    Oak     --> [ s(0.5, ^0.4, 0.5) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 3)
+                texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
+                t(0, ^0.28, 0) s(^1, ^0.72, ^1) Balls
+    Balls   --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(9) ]
                 s(^0.72, ^0.6, ^0.72) center(xyz) primitiveSphere(10, 6) scatter(surface, 8, uniform) { Bough }
-    Bough   --> s(2.4, 2, 2.4) center(xyz) primitiveSphere(9, 6) Crown.
+    Bough   --> s(2.4, 2, 2.4) center(xyz) primitiveSphere(9, 6) Leafy(5)
+    Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 
     // The square: a pond with a rim and a fountain, flower beds and benches around it.
     Middle  --> s(2 * square, 0, 2 * square) center(xz)
                 [ s(^0.62, 0, ^0.62) center(xz) primitiveDisk(48) Pond ]
                 s(^0.84, 0, ^0.84) center(xz) primitiveDisk(24) comp(e) { all : Around(comp.index) }
-    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) Water. ] [ offset(0.6, border) reverseNormals extrude(0.5) color("#cfc3ad") Rim. ]
+    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) setupProjection(0, world.xz, 6, 6)
+                texture("water.png") set(material.normalmap, "water_normal.png") projectUV(0) Water. ] [ offset(0.6, border) reverseNormals extrude(0.5) color("#cfc3ad") Rim. ]
                 [ s(5, 0.7, 5) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]
                 [ s(0.8, 2.4, 0.8) center(xz) primitiveCylinder(12) color("#cfc3ad") Stem. ]
                 [ t(0, 2.4, 0) s(2.6, 0.35, 2.6) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]

@@ -5,6 +5,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// A pavilion on a terrace: a thin roof on slender columns, walls of glass and marble, and a pool.
     pub grammar Pavilion;
 
@@ -35,10 +37,11 @@ cga! {
 
     const podium = 0.9
     tone = 40% : travertine 35% : "#d5c6aa" else : "#e3d8c2"
-    leaves = 50% : "#5c8443" else : "#7a9f58"
+    leaves = 50% : "#7da25e" else : "#98bd70"
 
     @StartRule
-    Lot     --> [ extrude(0.2) color("#8fae69") Lawn. ]
+    Lot     --> [ setupProjection(0, world.xz, 4, 4) extrude(0.2) color("#8fae69")
+                  texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
                 t(0, 0.2, 0) [ Trees ] offset(-4, inside) Terrace
     Trees   --> split(z) { 4 : split(x) { { ~7 : scatter(surface, 2, uniform) { Tree } }* } | ~1 : NIL }
 
@@ -74,8 +77,14 @@ cga! {
     Furniture --> split(x) { ~1 : NIL | 3.4 : s(^1, 0, 3.4) center(z) Chairs | ^0.12 : NIL }
     Chairs  --> split(z) { 0.85 : Chair | ~1 : s(1.2, 0.4, 1.2) center(xz) primitiveCube color("#f2efe8") Table. | 0.85 : Chair }
     Chair   --> split(x) { { 0.8 : s(^1, 0.42, ^1) primitiveCube color("#f7f4ec") Cushion. | 0.25 : NIL }* }
-    Tree    --> [ s(0.35, 3, 0.35) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ] t(0, 2.2, 0) Crown(rand(3, 4.6))
-    Crown(size) --> s(size, size * 1.1, size) center(xz) primitiveSphere(12, 8) color(leaves) Crown.
+    Tree    --> [ s(0.35, 3, 0.35) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4)
+                texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ] t(0, 2.2, 0) Crown(rand(3, 4.6))
+    // A crown is a ball with smaller ones on it.
+    Crown(size) --> s(size, size * 1.1, size) center(xz) color(leaves) Balls(size)
+    Balls(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
+                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 9, uniform) { Bough(size) }
+    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(10, 7) Leafy(size)
+    Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 }
 
 pub fn scene() -> Scene<()> {

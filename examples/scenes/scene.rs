@@ -2,6 +2,8 @@
 
 use cga::{Error, Flow, Grammar, Model, Settings, Shape};
 
+use super::materials;
+
 /// Rules and what they are run on. Nothing is read from disk. A scene without compiled rules is a `Scene<()>`.
 pub struct Scene<G = Box<dyn Grammar + Send + Sync>> {
     /// The name of its picture and of its file.
@@ -48,7 +50,7 @@ impl Default for View {
             sun_azimuth: -62.0,
             sun_elevation: 42.0,
             region: None,
-            size: [900, 600],
+            size: [1200, 800],
         }
     }
 }
@@ -62,12 +64,12 @@ impl Scene<()> {
 }
 
 impl Scene {
-    /// The result of the rules for all shapes.
+    /// The result of the rules for all shapes. Each image of the materials is one pixel.
     ///
     /// # Errors
     /// The first error of a run.
     pub fn model(&self) -> Result<Model, Error> {
-        self.model_with(&Settings::default())
+        self.model_with(&Settings { assets: materials::single_pixels(), ..Settings::default() })
     }
 
     /// The result of the rules for all shapes, with those settings.
@@ -76,7 +78,7 @@ impl Scene {
     /// The first error of a run.
     pub fn model_with(&self, settings: &Settings) -> Result<Model, Error> {
         let lots: Vec<Shape> = self.shapes.iter().map(|start| start.shape.clone().start(start.rule)).collect();
-        let mut model = Model::new();
+        let mut model = Model::new().with_assets(settings.assets.clone());
         cga::Scene::new(&*self.grammar, &lots)
             .generate_each(settings, |_, one| {
                 model.append(&one);

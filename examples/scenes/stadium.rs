@@ -5,6 +5,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// A bowl of stands around a pitch, under a ring of glass on columns.
     pub grammar Stadium;
 
@@ -31,7 +33,7 @@ cga! {
     @Color
     attr stripe = "#f1ede4"
     @Color
-    attr grass = "#5f9d4a"
+    attr grass = "#74b55c"
 
     const run = 0.85
     // Between the tiers is a row of boxes.
@@ -45,7 +47,7 @@ cga! {
     height(n) = case n < upper : top - n * rise else : below - (n - upper) * rise / 2
 
     @StartRule
-    Lot     --> [ extrude(0.2) color("#cfcabf") Plaza. ]
+    Lot     --> [ setupProjection(0, world.xz, 3.6, 3.2) extrude(0.2) color("#dad5ca") texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Plaza. ]
                 t(0, 0.2, 0) s(scope.sx - 24, 0, scope.sz - 24) center(xz) primitiveDisk(sides) deleteUV(0) Oval
     Oval    --> Row(0)
                 [ extrude(top + 1) comp(f) { side : Facade(comp.index) | all : NIL } ]
@@ -65,7 +67,8 @@ cga! {
                 [ Outline ] [ split(x) { ~1 : NIL | 0.4 : Line. | ~1 : NIL } ]
                 [ s(18.3, 0, 18.3) center(xz) primitiveDisk(40) Outline ]
                 split(x) { 16.5 : Box | ~1 : NIL | 16.5 : Box }
-    Grass(dark) --> case dark == 1 : color("#549043") Grass. else : Grass.
+    Grass(dark) --> setupProjection(0, world.xz, 4, 4) texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Mown(dark)
+    Mown(dark) --> case dark == 1 : color("#5f9d4c") Grass. else : Grass.
     Box     --> s(^1, 0, 40.3) center(z) Outline
     Outline --> offset(-0.4, border) Line.
 

@@ -6,6 +6,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// Streets with CityEngine's start rules, and the houses beside them.
     pub grammar Streets;
 
@@ -30,7 +32,7 @@ cga! {
 
     // Markings lie a little above the asphalt.
     const above = 0.03
-    leaves  = 40% : "#6d8f4e" 35% : "#587d46" else : "#86a05a"
+    leaves  = 40% : "#86ad60" 35% : "#6d9a57" else : "#a3c06c"
     enamel  = 25% : "#b3322c" 20% : "#2f5f8a" 20% : "#e9e6df" 15% : "#3c4043" else : "#b9bec2"
     plaster = 25% : "#e2c79a" 20% : "#d5a98a" 20% : "#e8e0d0" 15% : "#b8c0b4" else : "#b76e55"
     slate   = 50% : "#8c5a48" else : "#6f747b"
@@ -38,8 +40,9 @@ cga! {
 
     // Texture coordinates run along the street and across it, so markings follow every bend.
     @StartRule
-    Street  --> label("street") [ color(asphalt) Roadway. ]
+    Street  --> label("street") [ Asphalt ]
                 t(0, above, 0) split(u, unitSpace, 0) { 1.2 : NIL | 3 : Zebra | 1 : NIL | ~1 : Lanes | 1 : NIL | 3 : Zebra | 1.2 : NIL }
+    Asphalt --> tileUV(0, 3, 3) color(asphalt) texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") Roadway.
     Zebra   --> color(paint) split(v, unitSpace, 0) { 0.4 : NIL | { ~0.55 : Marking. | ~0.55 : NIL }* | 0.4 : NIL }
     Lanes   --> case scope.sz > 9 :
                     split(v, unitSpace, 0) { 2.3 : Parking | 0.12 : Line | ~1 : Traffic | 0.14 : Dashes | ~1 : Traffic | 0.12 : Line | 2.3 : Parking }
@@ -60,55 +63,65 @@ cga! {
     Axle    --> s(^1, 0.7, scope.sz + 0.04) center(z) primitiveCube rotateScope(90, 0, 0) primitiveCylinder(14) color("#26282a") Wheels.
 
     @StartRule
-    Joint   --> color(asphalt) Roadway.
+    Joint   --> Asphalt
     @StartRule
-    Junction --> color(asphalt) Roadway.
+    Junction --> Asphalt
     @StartRule
-    Crossing --> color(asphalt) Roadway.
+    Crossing --> Asphalt
 
     // Trees and lamps alternate along the kerb.
     @StartRule
-    Sidewalk --> [ extrude(world.up, kerb) color(paving) Pavement. ]
+    Sidewalk --> [ tileUV(0, 1.8, 1.6) extrude(world.up, kerb) color(paving)
+                texture("paving.png") set(material.normalmap, "paving_normal.png") Pavement. ]
                 t(0, kerb, 0) split(v, unitSpace, 0) { 0.4 : NIL | 1.2 : Furniture | ~1 : NIL }
     Furniture --> split(u, unitSpace, 0) { ~spacing / 2 : NIL | { 1.2 : Tree | ~spacing : NIL | 0.2 : Lamp | ~spacing : NIL }* | ~1 : NIL }
     Tree    --> [ color("#7b6a52") t(0, 0.02, 0) Pit. ] Room(rand(2.8, 3.8))
     // A tree stands clear of houses: it has the room of its crown for itself.
     Room(size) --> s(size, 2.4 + 1.2 * size, size) center(xz) primitiveCube Plant(size)
     Plant(size) --> case overlaps(inter, "house") : NIL
-                else : [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#6b5138") Trunk. ]
-                       t(0, 2.4, 0) color(leaves) s(^1, size * 1.2, ^1) primitiveSphere(12, 8) Crown.
+                else : [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4) texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
+                       t(0, 2.4, 0) color(leaves) s(^1, size * 1.2, ^1) Crown(size)
+    // A crown is a ball with smaller ones on it.
+    Crown(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
+                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 7, uniform) { Bough(size) }
+    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(9, 6) Leafy(size)
+    Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
     Lamp    --> color("#3b4245") [ s(0.16, 5.5, 0.16) center(xz) primitiveCylinder(8) Pole. ]
                 t(0, 5.5, 0) s(0.6, 0.35, 0.6) center(xz) primitiveSphere(10, 6) color("#fbeecb") Light.
 
     @StartRule
     House   --> t(0, kerb, 0) color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
-    Storeys(n, roof) --> [ extrude(4 + 3.1 * n) label("house") comp(f) { bottom : NIL | top : Roof(roof) | all : Side } ]
-    Roof(tint) --> roofGable(38, 0.5, 0, true, 0) label("house") comp(f) { isTagged("roof.side") : Wall. | all : color(tint) Roof. }
+    Storeys(n, roof) --> [ extrude(4 + 3.1 * n) label("house") comp(f) { bottom : NIL | top : Roof(roof) | all : setupProjection(0, scope.xy, 2.4, 2.4) Side } ]
+    Roof(tint) --> roofGable(38, 0.5, 0, true, 0) label("house") comp(f) { isTagged("roof.side") : setupProjection(0, scope.xy, 2.4, 2.4) Wall | all : setupProjection(0, scope.xy, 2, 2) color(tint)
+                texture("tile.png") set(material.normalmap, "tile_normal.png") projectUV(0) Roof. }
+    Wall    --> texture("plaster.png") set(material.normalmap, "plaster_normal.png") projectUV(0) Wall.
     // A side faces a street if three metres ahead are nearer to it.
     Side    --> Ahead(toStreet)
     Ahead(before) --> t(0, 0, 3) Back(before < 12 && toStreet < before - 0.9)
     Back(faces) --> t(0, 0, -3) Faced(faces)
-    Faced(faces) --> case faces : Front else : split(y) { 4 : Wall. | { ~3.1 : Floor }* | 0.3 : Wall. }
+    Faced(faces) --> case faces : Front else : split(y) { 4 : Wall | { ~3.1 : Floor }* | 0.3 : Wall }
     Front   --> split(y) { 3.6 : Shops | 0.4 : Band | { ~3.1 : Floor }* | 0.3 : Band }
     Band    --> color("#efe8d8") extrude(0.2) Band.
-    Shops   --> split(x) { 0.4 : Wall. | { ~3.6 : Shop | 0.4 : Wall. }* }
-    Shop    --> split(y) { 0.3 : Wall. | ~1 : Display }
+    Shops   --> split(x) { 0.4 : Wall | { ~3.6 : Shop | 0.4 : Wall }* }
+    Shop    --> split(y) { 0.3 : Wall | ~1 : Display }
     Display --> [ Recess(0.3) ] [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
                 t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube
                 split(z) { 0.15 : Sign. | ~1 : split(y) { 0.1 : Awning. | ~1 : NIL } }
     Recess(depth) --> set(trim.vertical, false) t(0, 0, -depth) s(^1, ^1, depth) primitiveCube reverseNormals comp(f) { front : NIL | back : NIL | all : Reveal. }
     Floor   --> split(x) { { ~2.7 : Bay }* }
     // A wall that touches the neighbour has no window.
-    Bay     --> case touches(inter, "house") : Wall.
-                else : split(x) { ~1 : Wall. | 1.1 : split(y) { 0.8 : Wall. | ~1 : Window | 0.5 : Wall. } | ~1 : Wall. }
+    Bay     --> case touches(inter, "house") : Wall
+                else : split(x) { ~1 : Wall | 1.1 : split(y) { 0.8 : Wall | ~1 : Window | 0.5 : Wall } | ~1 : Wall }
     Window  --> [ Recess(0.12) ] offset(-0.09)
                 comp(f) { border : t(0, 0, -0.12) color("#f6f1e6") extrude(0.08) Frame. | inside : t(0, 0, -0.12) color("#5d7888") set(material.roughness, 0.1) Glass. }
 
     // The ground of a block, as high as the sidewalks around it.
     @StartRule
-    Yard    --> extrude(kerb - 0.01) color(paving) Yard.
+    Yard    --> setupProjection(0, world.xz, 1.8, 1.6) extrude(kerb - 0.01) color(paving)
+                texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Yard.
     @StartRule
-    Green   --> [ extrude(kerb - 0.03) color("#8dab66") Lawn. ]
+    Green   --> [ setupProjection(0, world.xz, 4, 4) extrude(kerb - 0.03) color("#8dab66")
+                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
                 t(0, kerb, 0) offset(-3, inside) scatter(surface, 16, uniform) { Tree }
 }
 
@@ -192,6 +205,7 @@ pub fn scene() -> Scene<()> {
         grammar: (),
         shapes: streets.chain(houses).chain(yards).chain(greens).collect(),
         view: View {
+            size: [960, 640],
             azimuth: 18.0,
             elevation: 27.0,
             region: Some([[-32.0, 0.0, -18.0], [46.0, 14.0, 19.0]]),

@@ -5,6 +5,8 @@ use cga::{Shape, cga};
 use super::scene::{Scene, Start, View, grammar_text};
 
 cga! {
+    // The images are made by `examples/materials.rs`.
+    @Allow(missing_asset)
     /// A residential tower: every storey is the ellipse of the footprint, turned a little further than the one below.
     pub grammar Tower;
 
@@ -67,8 +69,9 @@ cga! {
     Front  --> split(x) { 0.1 : Mullion | ~1 : split(y) { ~1 : color("#3f5660") set(material.roughness, 0.08) Glass. | 0.12 : Mullion }* }
     Column --> alignScopeToAxes(y) s(0.9, lobby, 0.9) t(0, 0, -1.6) primitiveCylinder(16) color(concrete) Column.
 
-    Plaza  --> extrude(0.3) color("#d8d2c6") Paving.
-               t(0, 0.3, 0) s(^0.8, 0, ^0.6) center(xz) primitiveDisk(48) extrude(0.2) color("#c4bcae") Paving.
+    Plaza  --> setupProjection(0, world.xz, 3.6, 3.2) Paving(0.3, "#e0dace")
+               t(0, 0.3, 0) s(^0.8, 0, ^0.6) center(xz) primitiveDisk(48) Paving(0.2, "#cec6b8")
+    Paving(height, tint) --> extrude(height) color(tint) texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Paving.
 }
 
 pub fn scene() -> Scene<()> {

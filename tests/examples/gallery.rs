@@ -7,10 +7,11 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
+use cga::Settings;
 use cga_tests::gallery::chapter::{chapters, contents};
 use cga_tests::gallery::same;
 use cga_tests::gallery::scenes as scene_page;
-use cga_tests::scenes;
+use cga_tests::scenes::{self, materials};
 use cga_tests::tree::root;
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -52,7 +53,7 @@ fn write_scenes(folder: &Path) -> Result<(), Box<dyn Error>> {
     fs::create_dir_all(folder.join("scenes"))?;
     let mut list = Vec::new();
     for scene in scenes::scenes() {
-        let model = scene.model()?;
+        let model = scene.model_with(&Settings { assets: materials::assets(), ..Settings::default() })?;
         model.faults().iter().for_each(|fault| eprintln!("{}: {fault}", scene.name));
         let path = folder.join(scene_page::picture_path(&scene));
         fs::write(path, scene_page::picture(&scene, &model).to_indexed_png()?)?;

@@ -161,7 +161,7 @@ impl Chapter {
 /// The list of all chapters.
 pub fn contents(chapters: &[Chapter]) -> String {
     let mut text = String::from(
-        "# Gallery\n\n[Buildings and scenes](scenes.md): twelve grammars of our own with large pictures, from a tower to a park.\n\n## The examples of the reference\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release -p cga-tests --example gallery` writes\nthese pages and pictures.\n\n",
+        "# Gallery\n\n[Buildings and scenes](scenes.md): fourteen grammars of our own with large pictures, from a tower to a dungeon.\n\n[![Corner house](scenes/corner.png)](scenes.md#corner-house)\n[![Town houses](scenes/town_house.png)](scenes.md#town-houses)\n[![Bridge](scenes/bridge.png)](scenes.md#bridge)\n[![Courtyard block](scenes/courtyard.png)](scenes.md#courtyard-block)\n[![Street with junctions](scenes/street.png)](scenes.md#street-with-junctions)\n[![Dungeon](scenes/dungeon.png)](scenes.md#dungeon)\n\n## The examples of the reference\n\nThe worked examples of Esri's CGA reference, as this library draws them. `cargo run --release -p cga-tests --example gallery` writes\nthese pages and pictures.\n\n",
     );
     for chapter in chapters {
         let _ = writeln!(text, "- [{}]({}.md): {} examples", chapter.title, chapter.name, chapter.cells.len());

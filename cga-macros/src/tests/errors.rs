@@ -25,6 +25,16 @@ fn several_mistakes_give_several_errors() {
     assert!(3 <= list.len(), "{list:#?}");
 }
 
+/// A level before a doc comment, and between two.
+#[test]
+fn levels_and_attributes_stand_in_any_order() {
+    for header in ["@Allow(unused) #[doc = \"A.\"]", "#[doc = \"A.\"] @Allow(unused) #[doc = \"B.\"] @Deny(syntax)"] {
+        let text = expanded(&format!("{header} pub grammar A; attr a = 1 Lot --> X."));
+        assert!(text.contains("pub struct A") && text.contains("doc = \"A.\""), "{text}");
+        assert!(!text.contains("compile_error"), "{text}");
+    }
+}
+
 #[test]
 fn a_broken_header_says_how_it_is_written() {
     for (input, start) in [

@@ -1,7 +1,7 @@
 //! What pictures show.
 
 use cga_picture::glam::{DVec2, DVec3};
-use cga_picture::{Alpha, Bitmap, Bounds, Face, Lines, Paint, Renderer, Scene};
+use cga_picture::{Alpha, Bitmap, Bounds, Face, Lines, Paint, Renderer, Scene, Viewpoint};
 
 use crate::{HALVES, add, color, front, square};
 
@@ -12,6 +12,37 @@ const WHOLE: [DVec2; 4] = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
 fn four() -> Bitmap {
     let colors = [[255, 0, 0, 255], [0, 255, 0, 255], [0, 0, 255, 255], [255; 4]];
     Bitmap { width: 2, height: 2, rgba: colors.concat() }
+}
+
+/// A floor whose normal map leans towards +u, the east: light from there makes it brighter, light from the west darker, and the map
+/// turns with the coordinates.
+#[test]
+fn normal_maps_turn_the_light() {
+    let brightness = |texel: [u8; 4], sun: f64, uvs: &[DVec2; 4]| {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, -1.0], [0.0, -1.0]].map(|[x, z]| DVec3::new(x, 0.0, z));
+        let mut scene = Scene::new(Bounds::of(corners));
+        let map = scene.add_normal_map(Bitmap::filled(4, 4, texel));
+        let paint = scene.add_paint(Paint { normal_image: Some(map), ..Paint::default() });
+        scene.add_face(&Face { normal_uvs: Some(uvs), ..Face::new(&corners, &HALVES, DVec3::Y, paint) });
+        let mut renderer = Renderer::new(32, 32);
+        renderer.view = Viewpoint::Around { azimuth: 0.0, elevation: 90.0 };
+        (renderer.ground, renderer.lines, renderer.sun_azimuth, renderer.sun_elevation) =
+            (false, Lines::None, sun, 30.0);
+        let picture = renderer.render(&scene);
+        u32::from(picture.pixel(16, 16).expect("a pixel")[0])
+    };
+    const FLAT: [u8; 4] = [128, 128, 255, 255];
+    const EAST: [u8; 4] = [218, 128, 218, 255];
+    let turned = [WHOLE[1], WHOLE[2], WHOLE[3], WHOLE[0]];
+    let [east, west, south] = [90.0, -90.0, 0.0];
+    let flat = brightness(FLAT, east, &WHOLE);
+    assert_eq!(flat, brightness(FLAT, west, &WHOLE));
+    assert!(flat + 10 < brightness(EAST, east, &WHOLE));
+    assert!(brightness(EAST, west, &WHOLE) + 10 < flat);
+    // u runs to the south here.
+    assert_eq!(brightness(EAST, south, &turned), brightness(EAST, east, &WHOLE));
+    // Coordinates in one line give no direction.
+    assert_eq!(brightness(EAST, east, &[DVec2::ZERO; 4]), flat);
 }
 
 #[test]

@@ -7,6 +7,7 @@ use cga_picture::{Alpha, Bitmap, ImageId, Scene};
 use glam::DVec2;
 
 use crate::asset::Assets;
+use crate::asset::image::Image;
 use crate::material::layer::{self, Placement, PlacementMap, SetMask};
 use crate::material::{Layer, Material, MaterialNumber, MaterialText};
 use crate::output::number_text::share;
@@ -17,8 +18,8 @@ use crate::value::text::Text;
 #[derive(Debug, Default)]
 pub(super) struct Images {
     assets: Option<Arc<Assets>>,
-    /// The images by name and use, colour or opacity. Only for look-ups, never iterated.
-    by_name: HashMap<(Text, bool), Option<ImageId>>,
+    /// The images by name and use. Only for look-ups, never iterated.
+    by_name: HashMap<(Text, Layer), Option<ImageId>>,
 }
 
 /// An image on a layer of a material.
@@ -34,6 +35,7 @@ pub(super) struct Map {
 pub(super) struct Maps {
     pub(super) color: Option<Map>,
     pub(super) opacity: Option<(Map, Alpha)>,
+    pub(super) normal: Option<Map>,
 }
 
 impl Images {
@@ -45,7 +47,7 @@ impl Images {
     pub(super) fn maps(&mut self, material: &Material, scene: &mut Scene) -> Maps {
         let mut map = |layer: Layer| {
             let name = layer::image(material, layer)?;
-            let image = self.image(name, layer == Layer::Opacity, scene)?;
+            let image = self.image(name, layer, scene)?;
             Some(Map { image, layer, placement: Placement::of(material, layer).map() })
         };
         let alpha = match material.text(MaterialText::OpacityMode).map(|mode| mode.as_str()) {
@@ -53,27 +55,32 @@ impl Images {
             Some("mask") => Some(Alpha::Mask(share(material.number(MaterialNumber::Cutoff), 0.5) as f32)),
             _ => Some(Alpha::Blend),
         };
-        let color = map(Layer::Color);
-        Maps { color, opacity: alpha.and_then(|alpha| Some((map(Layer::Opacity)?, alpha))) }
+        let (color, normal) = (map(Layer::Color), map(Layer::Normal));
+        Maps { color, opacity: alpha.and_then(|alpha| Some((map(Layer::Opacity)?, alpha))), normal }
     }
 
-    fn image(&mut self, name: &Text, is_opacity: bool, scene: &mut Scene) -> Option<ImageId> {
-        let key = (name.clone(), is_opacity);
+    fn image(&mut self, name: &Text, layer: Layer, scene: &mut Scene) -> Option<ImageId> {
+        let key = (name.clone(), layer);
         if let Some(known) = self.by_name.get(&key) {
             return *known;
         }
         let assets = self.assets.as_deref();
-        let found = if is_opacity { source::pixels(assets, name) } else { source::shown(assets, name) };
+        let found = match layer {
+            Layer::Opacity => source::pixels(assets, name),
+            Layer::Normal => source::read(assets, name),
+            _ => source::shown(assets, name),
+        };
         let image = found.map(|mut pixels| {
-            if is_opacity {
+            if layer == Layer::Opacity {
                 let mut rgba = std::mem::take(&mut pixels.image.rgba);
                 for pixel in rgba.as_chunks_mut::<4>().0 {
                     pixel[3] = pixels.opacity(*pixel);
                 }
                 pixels.image.rgba = rgba;
             }
-            let image = pixels.image;
-            scene.add_image(Bitmap { width: image.width, height: image.height, rgba: image.rgba })
+            let Image { width, height, rgba } = pixels.image;
+            let image = Bitmap { width, height, rgba };
+            if layer == Layer::Normal { scene.add_normal_map(image) } else { scene.add_image(image) }
         });
         self.by_name.insert(key, image);
         image

@@ -14,7 +14,7 @@
 //! Faces with texture coordinates show the colour map of their material. Their opacity map makes them transparent: by
 //! degrees, or fully or not at all if the mode is `mask`. Files are found in the assets of the model
 //! ([`Model::with_assets`]). Without an asset folder they are a checker pattern. If several transparent
-//! surfaces overlap, the nearest is drawn. Of all maps, pictures show these two. A translucent box stands for a missing
+//! surfaces overlap, the nearest is drawn. Normal maps turn the light on a surface. Pictures show these three maps. A translucent box stands for a missing
 //! asset.
 
 mod images;

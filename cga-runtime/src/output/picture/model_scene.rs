@@ -50,7 +50,7 @@ struct SceneSink {
     // Memory that is used again.
     corners: Vec<DVec3>,
     normals: Vec<DVec3>,
-    places: [Vec<DVec2>; 2],
+    places: [Vec<DVec2>; 3],
 }
 
 impl SceneSink {
@@ -74,11 +74,12 @@ impl SceneSink {
     /// Adds a face of the leaf with the images `maps`. `uv` returns the coordinates of a corner in one of the sets `sets`.
     fn add(&mut self, face: Face<'_>, maps: &Maps, sets: SetMask, uv: impl Fn(usize, usize) -> DVec2) {
         let count = face.corners.len();
-        let [color, opacity] = &mut self.places;
+        let [color, opacity, normal] = &mut self.places;
         self.scene.add_face(&Face {
             leaf: self.leaves - 1,
             color_uvs: maps.color.and_then(|map| map.places(sets, count, &uv, color)),
             opacity_uvs: maps.opacity.and_then(|(map, _)| map.places(sets, count, &uv, opacity)),
+            normal_uvs: maps.normal.and_then(|map| map.places(sets, count, &uv, normal)),
             ..face
         });
     }
@@ -100,6 +101,7 @@ fn paint(material: &Material, maps: &Maps) -> Paint {
         gloss: 1.0 - share(material.roughness, 1.0) as f32,
         color_image: maps.color.map(|map| map.image),
         opacity_image: maps.opacity.map(|(map, alpha)| (map.image, alpha)),
+        normal_image: maps.normal.map(|map| map.image),
     }
 }
 

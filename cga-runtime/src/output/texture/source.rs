@@ -54,6 +54,17 @@ pub(crate) fn shown(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     }
 }
 
+/// The pixels of a map that shows nothing where its file is missing or broken.
+pub(crate) fn read(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
+    match find(assets, name) {
+        ImageSource::File(header, bytes) => {
+            let image = decoded(&header, &bytes)??;
+            Some(Pixels { image, has_alpha: false })
+        }
+        ImageSource::Drawn(_) | ImageSource::Absent => None,
+    }
+}
+
 /// The pixels of the image with a name, if there is one. Without the feature `png`, files cannot be read.
 pub(crate) fn pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {

@@ -21,20 +21,26 @@ pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
         runtime: quote!(::cga::__rt),
         levels: Vec::new(),
     };
-    // `#[…]`.
-    let mut attributes = Vec::new();
-    while let (Some(TokenTree::Punct(hash)), Some(TokenTree::Group(group))) = (list.get(at), list.get(at + 1)) {
-        if hash.as_char() != '#' || group.delimiter() != Delimiter::Bracket {
+    // `#[…]` and `@Allow(…)` in any order.
+    let (mut attributes, mut levels, mut annotations) = (Vec::new(), Vec::new(), Vec::new());
+    let mut runtime_at = None;
+    loop {
+        let start = at;
+        while let (true, Some(TokenTree::Group(group))) = (is_sign(list.get(at), '#'), list.get(at + 1)) {
+            if group.delimiter() != Delimiter::Bracket {
+                break;
+            }
+            match runtime_path(group) {
+                Some(path) => (header.runtime, runtime_at) = (path, Some(at)),
+                None => attributes.push([list[at].clone(), list[at + 1].clone()]),
+            }
+            at += 2;
+        }
+        read_annotations(&list, &mut at, &mut levels, &mut annotations);
+        if at == start {
             break;
         }
-        match runtime_path(group) {
-            Some(path) => header.runtime = path,
-            None => attributes.push([list[at].clone(), list[at + 1].clone()]),
-        }
-        at += 2;
     }
-    let after_attributes = at;
-    let (levels, annotations) = annotations(&list, &mut at);
     let visible = list.get(at).is_some_and(|token| is_word(token, "pub"));
     if visible {
         header.visibility.extend([list[at].clone()]);
@@ -61,8 +67,9 @@ pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
         }
         _ => {
             // Without a header everything is rules, except an attribute that names the runtime.
-            let rules = list.into_iter().skip(after_attributes);
-            (header, Ok(RulesText::Inline(attributes.into_iter().flatten().chain(rules).collect())))
+            let is_rule = |at: usize| runtime_at.is_none_or(|start| !(start..start + 2).contains(&at));
+            let rules = list.into_iter().enumerate().filter(|(at, _)| is_rule(*at)).map(|(_, token)| token);
+            (header, Ok(RulesText::Inline(rules.collect())))
         }
     }
 }
@@ -96,10 +103,8 @@ fn is_broken_header(token: Option<&TokenTree>, next: Option<&TokenTree>) -> bool
     token.is_some_and(|token| is_word(token, "grammar")) && is_sign(next, ';')
 }
 
-/// Annotations before the header: levels for the whole grammar. What is no level stays with the rules, whose checks
-/// name it.
-fn annotations(list: &[TokenTree], at: &mut usize) -> (Vec<(Code, Level)>, Vec<TokenTree>) {
-    let (mut levels, mut others) = (Vec::new(), Vec::new());
+/// Reads annotations before the header: levels for the whole grammar. Others stay with the rules, whose checks name them.
+fn read_annotations(list: &[TokenTree], at: &mut usize, levels: &mut Vec<(Code, Level)>, others: &mut Vec<TokenTree>) {
     while let (true, Some(TokenTree::Ident(word))) = (is_sign(list.get(*at), '@'), list.get(*at + 1)) {
         let end = *at + 2 + usize::from(matches!(list.get(*at + 2), Some(TokenTree::Group(_))));
         match level(&word.to_string(), list.get(*at + 2)) {
@@ -108,7 +113,6 @@ fn annotations(list: &[TokenTree], at: &mut usize) -> (Vec<(Code, Level)>, Vec<T
         }
         *at = end;
     }
-    (levels, others)
 }
 
 /// `Allow(code, …)` and its like, when every code is known.
