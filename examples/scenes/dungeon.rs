@@ -35,7 +35,7 @@ cga! {
 
     // Each corridor begins and ends at an earlier one, so all rooms are connected. A room has doors to the sides with a corridor.
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 1.8, 1.6) extrude(0.3) Stone(floor, "paving", "Floor") ]
+    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 1.8, 1.6) extrude(0.3) Stone(floor, "paving") ]
                 Part(0, false, false, false, false)
     Part(n, left, right, back, front) -->
         case n < divisions && scope.sx >= scope.sz && scope.sx > 2 * least + corridor :
@@ -49,10 +49,10 @@ cga! {
     // A wall with a doorway in its middle.
     Side(opens) --> case opens : split(x) { ~1 : Wall | 0.35 : Post | 1.3 : Doorway | 0.35 : Post | ~1 : Wall } else : Wall
     Turned(opens) --> case opens : split(z) { ~1 : Wall | 0.35 : Post | 1.3 : Doorway | 0.35 : Post | ~1 : Wall } else : Wall
-    Wall    --> extrude(height) comp(f) { bottom : NIL | all : setupProjection(0, scope.xy, 2, 1.4) Stone(stone, "stone", "Wall") }
+    Wall    --> extrude(height) comp(f) { bottom : NIL | all : setupProjection(0, scope.xy, 2, 1.4) Stone(stone, "stone") }
     Post    --> extrude(height + 0.25) color("#b3aa9b") Post.
     Doorway --> t(0, height - 0.1, 0) extrude(0.35) color("#b3aa9b") Lintel.
-    Stone(tint, material, part) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") projectUV(0) Stone.
+    Stone(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") projectUV(0) Stone.
 
     // Torches on the floor of every room, and one of four things.
     Room    --> [ offset(-0.5, inside) comp(v) { all : Torch } ]

@@ -88,7 +88,7 @@ cga! {
 
     // The entrance: two leaves below a fanlight, between pilasters that carry a hood.
     Entrance --> split(y) { ~1 : split(x) { ~1 : Wall | 0.3 : Pilaster | 1.25 : Portal | 0.3 : Pilaster | ~1 : Wall } | 0.3 : Hood | 0.14 : Wall | 0.16 : String }
-                t(0, -plinth, 0) s(1.9, plinth, 2.6) center(x) primitiveCube split(y) { { ~0.17 : Step(split.index, split.total) }* }
+                t(0, -plinth, 0.12) s(1.9, plinth, 2.48) center(x) primitiveCube split(y) { { ~0.17 : Step(split.index, split.total) }* }
     Pilaster --> color(stone) extrude(0.16) Pilaster.
     Hood    --> [ Wall ] color(stone) s(2.3, ^1, 0) center(x) extrude(0.55) Hood.
     Portal  --> [ Recess(0.2) ] t(0, 0, -0.2) split(y) { ~1 : color(door) split(x) { ~1 : Leaf | 0.03 : Leaf | ~1 : Leaf } | 0.08 : Frame | 0.5 : color("#3d5563") Panes }
@@ -101,7 +101,7 @@ cga! {
 
     // A mansard with dormers, between party walls with chimneys.
     Attic   --> split(x) { 0.35 : Party | ~1 : Mansard | 0.35 : Party }
-    Party   --> [ extrude(3.2) Brickwork ] alignScopeToAxes(y) t(0, 3.2, 0) s(^1, 1.5, 1.6) center(z) primitiveCube Brickwork
+    Party   --> [ extrude(3.2) Brickwork ] alignScopeToAxes(y) t(0, 3.28, 0) s(^1, 1.5, 1.6) center(z) primitiveCube Brickwork
     Brickwork --> comp(f) { top : color(stone) extrude(0.08) Coping. | bottom : NIL | all : setupProjection(0, scope.xy, 1.8, 1.2) Wall }
     Mansard --> envelope(normal, 2.9, 0, 68, 0, 68, 0, 90)
                 comp(f) { bottom : NIL | top : color("#8b8d8f") Flat. | object.front : Slope | all : Slate }
@@ -112,7 +112,7 @@ cga! {
     DormerFront --> split(x) { 0.1 : Reveal | ~1 : split(y) { 0.1 : Reveal | ~1 : Window | 0.1 : Reveal } | 0.1 : Reveal }
 
     Garden  --> split(x) { ~1.7 : Bed | ~1 : split(x) { ~1 : Bed | 1.9 : Path | ~1 : Bed } }
-    Path    --> Paved(0.14, "#c6beb0", "paving", 1.8, 1.6)
+    Path    --> Paved(0.1, "#c6beb0", "paving", 1.8, 1.6)
     Bed     --> split(z) { ~1 : Planted | 0.3 : Fence }
     Planted --> [ Lawn ] Shrubs
     Shrubs  --> case scope.sx < 2 : NIL

@@ -9,9 +9,11 @@ use super::{check, planted};
 fn open(name: &str) -> &'static [&'static str] {
     match name {
         "bridge" => &["Rail"],
+        "corner" => &["Bar", "Rail"],
         "fence" => &["Slat", "Bar", "Rail", "Plank", "Leaves", "Stalk", "Flower", "Post"],
         "interior" => &["Leaf"],
         "street" => &["Crown"],
+        "town_house" => &["Bar", "Rail"],
         _ => &[],
     }
 }
