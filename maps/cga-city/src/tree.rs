@@ -165,7 +165,7 @@ impl Trees<'_> {
     /// The digest of all that a tile depends on.
     fn digest(&self, piece: &Piece, level: usize) -> io::Result<String> {
         let mut digest = blake3::Hasher::new();
-        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 1").as_bytes());
+        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 2").as_bytes());
         digest.update(&self.levels[level].rules.digest).update(&self.most_bytes.to_le_bytes());
         digest.update(piece.cell.to_string().as_bytes());
         for entry in self.lots.entries(piece.lots.clone())? {
