@@ -157,6 +157,8 @@ fn mistakes_have_a_message_and_a_status() {
         ("run tower.cga -o lost/tower.glb --start Lott", 2, "the folder `lost` does not exist; make it first"),
         ("run tower.cga -o a.glb -o ./a.glb", 2, "`./a.glb` is given twice"),
         ("run tower.cga -o a.glb --reports a.glb", 2, "`a.glb` is given twice"),
+        ("run tower.cga --mesh empty.obj -o ./empty.obj", 2, "`./empty.obj` is an input of the run"),
+        ("run tower.cga --reports rules/../tower.cga", 2, "`rules/../tower.cga` is an input of the run"),
         ("run tower.cga --assets lost", 2, "cannot read assets from `lost`: the folder does not exist"),
         ("run tower.cga --mesh empty.obj", 2, "cannot read `empty.obj`: it has no faces"),
         ("run rules/../tower.cga --root rules", 2, "it is not a file in `rules`"),
