@@ -57,7 +57,7 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
         match run {
             Ok(Ok(report)) => {
                 content.buildings += 1;
-                report.faults().iter().for_each(|fault| content.add(footprint, false, fault.to_string()));
+                report.faults().iter().for_each(|fault| content.add(footprint, false, in_command(&fault.to_string())));
             }
             Ok(Err(why)) => content.add(footprint, true, why.to_string()),
             Err(_) => {
@@ -90,6 +90,11 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
         Err(why) => lots.iter().for_each(|lot| content.add(lot, true, why.clone())),
     }
     Some(content)
+}
+
+/// A fault in the words of the command: its messages name settings of the library.
+fn in_command(fault: &str) -> String {
+    fault.replace("`Settings::assets`", "`--assets FOLDER`")
 }
 
 impl Content {

@@ -44,6 +44,7 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
     std::fs::write(folder.path().join("empty.geojson"), "{\"type\":\"FeatureCollection\",\"features\":[]}")
         .expect("room");
     std::fs::write(folder.path().join("start.cga"), "attr height = 9").expect("room");
+    std::fs::write(folder.path().join("image.cga"), "Lot --> extrude(9) i(\"lost.obj\") X.").expect("room");
     std::fs::write(folder.path().join("lost.cga"), "Lot --> A(1)  A(n) --> case n < 0 : X. else : A(n + 1)")
         .expect("room");
     for ending in ["fgb", "shp", "parquet"] {
@@ -87,6 +88,7 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         (usual("lots.parquet", "house.cga", &["--grammar-column", "NOCOL"]), 2, "--grammar-column: the column `NOCOL`"),
         (usual("none.geojson", "start.cga", &[]), 1, "`start` has no start rule"),
         (usual("lots.geojson", "lost.cga", &[]), 1, "all buildings of a level are lost"),
+        (usual("lots.geojson", "image.cga", &[]), 0, "no asset folder is set (`--assets FOLDER`)"),
         (usual("lots.geojson", "house.cga", &["--terrain", "none.asc"]), 2, "cannot read `none.asc`"),
         (usual("lots.geojson", "house.cga", &["--crs", "EPSG:1"]), 2, "EPSG:1"),
         (run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "full"]), 2, "not a city"),
