@@ -88,7 +88,7 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         (usual("lots.parquet", "house.cga", &["--grammar-column", "NOCOL"]), 2, "--grammar-column: the column `NOCOL`"),
         (usual("none.geojson", "start.cga", &[]), 1, "`start` has no start rule"),
         (usual("lots.geojson", "lost.cga", &[]), 1, "all buildings of a level are lost"),
-        (usual("lots.geojson", "image.cga", &[]), 0, "no asset folder is set (`--assets FOLDER`)"),
+        (usual("lots.fgb", "image.cga", &[]), 0, "no asset folder is set (`--assets FOLDER`)"),
         (usual("lots.geojson", "house.cga", &["--terrain", "none.asc"]), 2, "cannot read `none.asc`"),
         (usual("lots.geojson", "house.cga", &["--crs", "EPSG:1"]), 2, "EPSG:1"),
         (run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "full"]), 2, "not a city"),
