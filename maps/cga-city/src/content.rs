@@ -38,10 +38,18 @@ pub struct LotProblem {
     pub reason: String,
 }
 
-/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided.
-pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes: u64) -> Option<Content> {
+/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided. Positions
+/// move by at most `accuracy` metres, which makes the file smaller unless the tile is too wide for that.
+pub fn content(
+    lots: &[Footprint],
+    frame: &Frame,
+    rules: &LevelRules,
+    accuracy: f64,
+    most_bytes: u64,
+) -> Option<Content> {
     let mut session = rules.grammars.session(&rules.settings);
-    let mut glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let mut glb = glb.with_quantization(accuracy).without_rules();
     let mut content =
         Content { glb: Vec::new(), bounds: Bounds::EMPTY, buildings: 0, problems: Vec::new(), problems_left_out: 0 };
     for footprint in lots {
