@@ -6,6 +6,7 @@
 //! instead ([`Glb::by_rule`], [`Glb::by_building`]). Assets inserted more than once are stored once and placed by nodes, with
 //! the number of their building in `extras`. On request, parts that rules repeat are stored once
 //! with a list of their places (`EXT_mesh_gpu_instancing`) and of their buildings (`EXT_instance_features`). Colours are converted from sRGB to linear light.
+//! On request, positions have 16 bits and normals 8 bits (`KHR_mesh_quantization`, [`Glb::with_quantization`]).
 //! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
 //!
 //! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), otherwise they
