@@ -33,7 +33,12 @@ fn table(rules: &RuleFile) -> String {
     let mut out = String::new();
     let starts: Vec<&str> =
         rules.start_rules().iter().filter(|rule| !rule.hidden).map(|rule| rule.name.as_str()).collect();
-    let _ = writeln!(out, "start rules: {}", starts.join(", "));
+    let starts = match (starts.is_empty(), rules.start_rules().is_empty()) {
+        (false, _) => starts.join(", "),
+        (true, true) => "none; write a rule without parameters".to_owned(),
+        (true, false) => "all are hidden".to_owned(),
+    };
+    let _ = writeln!(out, "start rules: {starts}");
     let shown: Vec<&Attribute> = rules.attributes().iter().filter(|attribute| !attribute.hidden).collect();
     let width = shown.iter().map(|attribute| attribute.name.chars().count()).max().unwrap_or_default();
     let mut group = "".to_owned();
@@ -117,5 +122,10 @@ mod tests {
         let expected = "start rules: Lot\n\nSize\n  height   12; 3 to 60; In metres.\n  wall     brick; one of brick, stone\n  \
                         storeys  (a number, computed for each lot)\n";
         assert_eq!(table(&rules), expected);
+        let line =
+            |rules: &str| table(&RuleFile::from_text(rules).expect("good rules")).lines().next().map(str::to_owned);
+        assert_eq!(line("@Hidden Lot --> X.").as_deref(), Some("start rules: all are hidden"));
+        assert_eq!(line("@Hidden Lot --> X.  Other --> X.").as_deref(), Some("start rules: Other"));
+        assert_eq!(line("Lot(n) --> X.").as_deref(), Some("start rules: none; write a rule without parameters"));
     }
 }

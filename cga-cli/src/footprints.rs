@@ -2,7 +2,9 @@
 
 use cga::{Error, Grammar, Settings, Shape, Text, Value, ValueType};
 use geo_types::{Coord, Geometry, LineString, MultiPolygon, Polygon};
-use geojson::{Feature, GeoJson, JsonValue};
+use geojson::{Feature, JsonValue};
+
+use crate::features::features;
 
 /// Notes about a file for its user.
 #[derive(Debug, Default)]
@@ -24,65 +26,91 @@ impl Notes {
 }
 
 /// The lots of a file, with a note for each feature that has none and for each property that is not read. Lots have seeds from `seed` on, in
-/// the order of the file: each polygon counts, so that lots keep their seeds if others cannot be used.
+/// the order of the file: each polygon counts, so that lots keep their seeds if others cannot be used. The list may be empty.
 ///
 /// # Errors
-/// The text is not GeoJSON, its coordinates are not degrees, or no feature has a lot.
+/// The text is not GeoJSON, or its coordinates are not degrees.
 pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64, notes: &mut Notes) -> Result<Vec<Shape>, String> {
-    // Some programs begin a file with a mark of its encoding.
-    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let file: GeoJson = text.parse().map_err(|why| format!("it is not GeoJSON: {why}"))?;
-    let features = match file {
-        GeoJson::FeatureCollection(collection) => collection.features,
-        GeoJson::Feature(feature) => vec![feature],
-        GeoJson::Geometry(geometry) => vec![Feature::from(geometry)],
-    };
-    let mut polygons: Vec<(usize, Polygon)> = Vec::new();
+    let features = features(text)?;
+    // The number of a polygon in the file and the number of its feature. A feature that cannot be read counts as one polygon.
+    let mut polygons: Vec<(u64, usize, Polygon)> = Vec::new();
+    let mut count = 0;
     for (number, feature) in features.iter().enumerate() {
-        match of_feature(feature) {
-            Ok(list) => polygons.extend(list.0.into_iter().map(|polygon| (number, polygon))),
-            Err(why) => notes.add(format!("{} is left out: {why}", label(feature, number))),
+        match feature.as_ref().map_err(Clone::clone).map(of_feature) {
+            Ok(Polygons::Of(list)) => {
+                for polygon in list {
+                    polygons.push((count, number, polygon));
+                    count += 1;
+                }
+            }
+            Ok(Polygons::None(why)) => notes.add(format!("{} is left out: {why}", label(feature, number))),
+            Ok(Polygons::Wrong(why)) | Err(why) => {
+                count += 1;
+                notes.mistake(format!("{} is left out: {why}", label(feature, number)));
+            }
         }
     }
-    let place = Place::of(polygons.iter().map(|(_, polygon)| polygon))?;
+    let all = polygons.iter().map(|(_, _, polygon)| polygon);
+    let in_degrees: Vec<&Polygon> = all.clone().filter(|polygon| is_in_degrees(polygon)).collect();
+    // Some wrong corners are mistakes of their polygons; more are another coordinate system.
+    let place = if 2 * in_degrees.len() < polygons.len() { Place::of(all) } else { Place::of(in_degrees.into_iter()) }?;
     place.note().into_iter().for_each(|note| notes.add(note));
     let mut lots = Vec::new();
-    for (at, (number, polygon)) in (0..).zip(polygons) {
-        let feature = &features[number];
+    for (at, number, polygon) in polygons {
+        let Ok(feature) = &features[number] else { continue };
+        let name = || label(&features[number], number);
+        if !is_in_degrees(&polygon) {
+            notes.mistake(format!(
+                "{} is left out: its coordinates are not longitudes and latitudes in degrees",
+                name()
+            ));
+            continue;
+        }
         match Shape::try_from(&place.metres(&polygon)) {
             Ok(shape) => {
                 let shape = shape.seed(seed.wrapping_add(at));
                 let shape = named(shape, feature);
-                let mut note = |why| notes.mistake(format!("{}: {why}", label(feature, number)));
+                let mut note = |why| notes.mistake(format!("{}: {why}", name()));
                 lots.push(with_values(shape, feature, grammar, &mut note));
             }
-            Err(why) => notes.mistake(format!("{} is left out: {why}", label(feature, number))),
+            Err(why) => notes.mistake(format!("{} is left out: {why}", name())),
         }
-    }
-    if lots.is_empty() {
-        let notes: String = notes.list.iter().map(|note| format!("\n  {note}")).collect();
-        return Err(format!("no feature is a polygon that can be a lot{notes}"));
     }
     Ok(lots)
 }
 
+/// Returns true if all corners are a longitude and a latitude.
+fn is_in_degrees(polygon: &Polygon) -> bool {
+    let mut corners = polygon.exterior().coords().chain(polygon.interiors().iter().flat_map(LineString::coords));
+    corners.all(|corner| corner.x.abs() <= 180.0 && corner.y.abs() <= 90.0)
+}
+
+/// The polygons of a feature, or the reason why it has none.
+enum Polygons {
+    Of(MultiPolygon),
+    /// The feature is of another kind, as a map has them beside polygons.
+    None(String),
+    /// The feature is broken.
+    Wrong(String),
+}
+
 /// The polygons of a feature.
-fn of_feature(feature: &Feature) -> Result<MultiPolygon, String> {
-    let geometry = feature.geometry.as_ref().ok_or("it has no geometry")?;
+fn of_feature(feature: &Feature) -> Polygons {
+    let Some(geometry) = &feature.geometry else { return Polygons::None("it has no geometry".to_owned()) };
     let kind = geometry.value.type_name();
     match Geometry::<f64>::try_from(geometry) {
-        Ok(Geometry::Polygon(polygon)) => Ok(polygon.into()),
-        Ok(Geometry::MultiPolygon(list)) => Ok(list),
-        Ok(_) => Err(format!("a {kind} is not a polygon")),
-        Err(why) => Err(why.to_string()),
+        Ok(Geometry::Polygon(polygon)) => Polygons::Of(polygon.into()),
+        Ok(Geometry::MultiPolygon(list)) => Polygons::Of(list),
+        Ok(_) => Polygons::None(format!("a {kind} is not a polygon")),
+        Err(why) => Polygons::Wrong(why.to_string()),
     }
 }
 
-/// A feature in a note.
-fn label(feature: &Feature, number: usize) -> String {
-    match id(feature) {
+/// A feature in a note. Features without an id count from 1.
+fn label(feature: &Result<Feature, String>, number: usize) -> String {
+    match feature.as_ref().ok().and_then(id) {
         Some(id) => format!("feature `{id}`"),
-        None => format!("feature {number}"),
+        None => format!("feature {}", number + 1),
     }
 }
 
@@ -206,11 +234,13 @@ impl Place {
         let far = metres.x.max(metres.y);
         (SMALL_ERROR < error || NEAR < far).then(|| {
             let percent = (100.0 * error).min(999.0);
-            format!(
-                "the lots are up to {:.0} km from their middle, where lengths to the east are wrong by up to {percent:.0} %: the Earth is taken as \
-                 flat; run each town by itself",
-                far / 1000.0
-            )
+            // Along the equator, only the heights are wrong.
+            let wrong = match percent < 1.0 {
+                true => String::new(),
+                false => format!(", where lengths to the east are wrong by up to {percent:.0} %"),
+            };
+            let far = far / 1000.0;
+            format!("the lots are up to {far:.0} km from their middle{wrong}: the Earth is taken as flat; run each town by itself")
         })
     }
 

@@ -7,6 +7,7 @@ use cga::{Assets, Grammar, Mesh, Shape};
 
 use crate::footprints::{self, Notes};
 use crate::options::LotOptions;
+use crate::run::Problem;
 use crate::stream::say;
 use crate::watch::folder;
 
@@ -24,12 +25,17 @@ pub(crate) struct Lots {
 /// The initial shapes, with seeds from `seed` on. Notes about the rows of a file are written to standard error.
 ///
 /// # Errors
-/// A sentence about a file that cannot be used.
-pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Lots, String> {
+/// A file that cannot be used, or that has no lot.
+pub(crate) fn lots(options: &LotOptions, grammar: &dyn Grammar, seed: u64) -> Result<Lots, Problem> {
+    let unread = |path: &Path, why: String| Problem::unusable(format!("cannot read `{}`: {why}", path.display()));
     if let Some(path) = &options.footprint {
         let text = text(path).map_err(|why| unread(path, why))?;
         let mut notes = Notes::default();
         let shapes = footprints::lots(&text, grammar, seed, &mut notes).map_err(|why| unread(path, why))?;
+        if shapes.is_empty() {
+            let notes: String = notes.list.iter().map(|note| format!("\n  {note}")).collect();
+            return Err(Problem::failed(format!("`{}` has no polygon that can be a lot{notes}", path.display())));
+        }
         notes.list.iter().for_each(|note| say(format_args!("{}: {note}", path.display())));
         return Ok(Lots { shapes, are_whole: !notes.has_mistakes });
     }
@@ -55,10 +61,6 @@ fn text(path: &Path) -> Result<String, String> {
         return Err("it has more than 1 GB; divide it into several files".to_owned());
     }
     Ok(text)
-}
-
-fn unread(path: &Path, why: impl std::fmt::Display) -> String {
-    format!("cannot read `{}`: {why}", path.display())
 }
 
 /// The mesh of a file, with its materials.

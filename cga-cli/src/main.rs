@@ -11,6 +11,7 @@
 
 mod attributes;
 mod check;
+mod features;
 mod footprints;
 mod lots;
 mod options;
@@ -30,7 +31,7 @@ use stream::Stream;
 enum Status {
     /// All went well.
     Success,
-    /// The rules have errors, or a run ended early.
+    /// The rules have errors, a run ended early, or a part of a file was left out.
     Failed,
     /// A file cannot be read or written, or the arguments are wrong.
     Unusable,

@@ -18,7 +18,9 @@ pub(crate) struct Options {
 #[derive(Clone, Debug, PartialEq, Subcommand)]
 pub(crate) enum Command {
     /// Checks rule files as the macro does
-    #[command(after_help = "exit status: 0 no errors, 1 errors, 2 a file cannot be read or the arguments are wrong")]
+    #[command(
+        after_help = "exit status: 0 no errors, 1 errors, 2 a file cannot be read, a folder has no rule file or the arguments are wrong"
+    )]
     Check(CheckOptions),
     /// Runs a rule file on a lot, or on all lots of a file
     #[command(after_help = RUN_STATUS)]
@@ -31,8 +33,9 @@ pub(crate) enum Command {
 
 const RUN_STATUS: &str = "\
 Printed lines go to standard output (with `--reports -` to standard error), faults to standard error.
-exit status: 0 all went well, 1 the rules have errors, a run ended early, or a lot or a value of a file was
-left out, 2 a file cannot be read or written or the arguments are wrong";
+exit status: 0 all went well, 1 the rules have errors, a run ended early, a file has no lot, or a polygon or a
+value of a file was left out (points and lines are named and do not count), 2 a file cannot be read or written
+or the arguments are wrong";
 
 /// Imported files are looked up beside the importing file and in the folders above. Each finding is reported once, in its own file. Files
 /// of assets are not read: their names, groups and materials are checked by the macro alone.

@@ -39,7 +39,7 @@ impl FileKind {
 /// Checks the files that a run writes.
 ///
 /// # Errors
-/// A sentence about a file with another ending, one that is given twice, or one whose folder does not exist.
+/// A sentence about a file with another ending, one that is given twice or is an input, or one whose folder does not exist.
 pub(crate) fn check_outputs(options: &RunOptions) -> Result<(), String> {
     options.output.iter().try_for_each(|path| FileKind::of(path).map(drop))?;
     let reports = options.reports.iter().filter(|path| **path != Path::new("-"));
@@ -55,6 +55,11 @@ pub(crate) fn check_outputs(options: &RunOptions) -> Result<(), String> {
         }
         let real =
             folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default());
+        let RunOptions { rules, lot, .. } = options;
+        let mut inputs = std::iter::once(&rules.file).chain(&lot.footprint).chain(&lot.mesh);
+        if inputs.any(|input| input.canonicalize().is_ok_and(|input| input == real)) {
+            return Err(format!("`{shown}` is an input of the run; give the output another name"));
+        }
         if !known.insert(real) {
             return Err(format!("`{shown}` is given twice; give each output its own name"));
         }

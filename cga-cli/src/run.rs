@@ -90,13 +90,20 @@ pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Pr
     for (name, value) in &options.values {
         rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;
     }
-    let lots = lots(&options.lot, &rules, options.seed).map_err(Problem::unusable)?;
+    let lots = lots(&options.lot, &rules, options.seed)?;
     let settings = Settings {
         start: options.start.clone(),
         assets: Arc::new(options.assets.as_ref().map_or_else(Assets::new, Assets::below)),
         watch: options.deadline.map(Watch::deadline),
         ..Settings::default()
     };
+    // The start rule of the rules may be missing, too, which is a mistake of the rules.
+    if options.start.is_some()
+        && let Some(Err(why @ Error::StartRule { .. })) =
+            lots.shapes.first().map(|lot| rules.used_values(lot, &settings))
+    {
+        return Err(Problem::unusable(format!("--start: {why}")));
+    }
     let begun = Instant::now();
     let output = derive(&rules, &lots.shapes, &settings).map_err(Problem::failed)?;
     let took = begun.elapsed();
@@ -137,11 +144,16 @@ fn tell(options: &RunOptions, output: &Output) -> Result<(), String> {
     } else {
         print(&report.prints().iter().map(|print| format!("{print}\n")).collect::<String>())?;
     }
-    report.faults().iter().for_each(say);
+    report.faults().iter().for_each(|fault| say(in_command(&fault.to_string())));
     if 0 < report.faults_left_out() {
         say(format_args!("… and {} more faults", report.faults_left_out()));
     }
     Ok(())
+}
+
+/// A fault in the words of the command: its messages name settings of the library.
+fn in_command(fault: &str) -> String {
+    fault.replace("`Settings::assets`", "`--assets FOLDER`")
 }
 
 /// Says what was made, for a person who waits.

@@ -104,7 +104,7 @@ fn the_lots_of_a_file_have_their_attributes_and_seeds() {
     let errors = text(&output.stderr);
     assert!(output.status.success(), "{errors}");
     assert!(
-        errors.contains("feature 1 is left out: a Point is not a polygon") && errors.contains("2 lots, "),
+        errors.contains("feature 2 is left out: a Point is not a polygon") && errors.contains("2 lots, "),
         "{errors}"
     );
     let obj = text(&folder.read("town.obj"));
@@ -133,16 +133,21 @@ fn mistakes_have_a_message_and_a_status() {
     folder.write("fault.cga", "Lot --> i(\"lost.obj\") X.");
     folder.write("empty.obj", "v 0 0 0\n");
     fs::create_dir_all(folder.0.join("rules")).expect("a folder");
+    fs::create_dir_all(folder.0.join("empty/inner")).expect("a folder");
+    folder.write("parts.cga", "Part(n) --> X.");
+    folder.write("points.geojson", "{\"type\": \"Point\", \"coordinates\": [0, 0]}");
     folder.write("rules/in.cga", "Lot --> X.");
     folder.write("feet.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]]]}");
     for (args, status, message) in [
         ("run tower.cga --set heigth=3", 2, "there is no attribute `heigth`; did you mean `height`?"),
         ("run tower.cga --set height=300", 2, "attribute `height`: 300 is outside of 6 to 60"),
-        ("run tower.cga --start Lott", 1, "`Lott` is not a start rule"),
+        ("run tower.cga --start Lott", 2, "`Lott` is not a start rule"),
+        ("run parts.cga", 1, "start rule"),
         ("run lost.cga", 2, "cannot read `lost.cga`"),
         ("run wrong.cga", 1, "error[unclosed_bracket]"),
         ("run endless.cga --deadline 0.05", 1, "the run was ended after 0.05 seconds; no file was written"),
         ("run fault.cga", 0, "lost.obj"),
+        ("run fault.cga", 0, "no asset folder is set (`--assets FOLDER`)"),
         ("run fault.cga --deny-faults", 1, "lost.obj"),
         ("run tower.cga -o tower.stl", 2, "`tower.stl` ends in none of .glb, .obj, .png and .svg"),
         ("run tower.cga -o lost/tower.glb", 2, "cannot write `lost/tower.glb`"),
@@ -152,6 +157,8 @@ fn mistakes_have_a_message_and_a_status() {
         ("run tower.cga -o lost/tower.glb --start Lott", 2, "the folder `lost` does not exist; make it first"),
         ("run tower.cga -o a.glb -o ./a.glb", 2, "`./a.glb` is given twice"),
         ("run tower.cga -o a.glb --reports a.glb", 2, "`a.glb` is given twice"),
+        ("run tower.cga --mesh empty.obj -o ./empty.obj", 2, "`./empty.obj` is an input of the run"),
+        ("run tower.cga --reports rules/../tower.cga", 2, "`rules/../tower.cga` is an input of the run"),
         ("run tower.cga --assets lost", 2, "cannot read assets from `lost`: the folder does not exist"),
         ("run tower.cga --mesh empty.obj", 2, "cannot read `empty.obj`: it has no faces"),
         ("run rules/../tower.cga --root rules", 2, "it is not a file in `rules`"),
@@ -160,6 +167,10 @@ fn mistakes_have_a_message_and_a_status() {
         ("attributes lost.cga", 2, "cannot read `lost.cga`"),
         ("check wrong.cga", 1, ""),
         ("check lost.cga", 2, "cannot read"),
+        ("check empty", 2, "`empty` has no file whose name ends in .cga"),
+        ("check tower.cga empty", 2, "`empty` has no file whose name ends in .cga"),
+        ("watch tower.cga -o x.stl", 2, "`x.stl` ends in none of"),
+        ("run tower.cga --footprint points.geojson", 1, "feature 1 is left out: a Point is not a polygon"),
         ("watch tower.cga --assets lost", 2, "cannot watch `lost`"),
     ] {
         let output = folder.run(args);
@@ -257,7 +268,10 @@ fn lots_far_from_each_other_have_a_note_and_lots_around_the_antimeridian_are_nei
         (text(&output.stderr), widest)
     };
     let (errors, widest) = run(&[square(1, "null", -20.0), square(2, "null", 20.0)]);
-    assert!(errors.contains("the lots are up to 2226 km from their middle") && 2e6 < widest, "{errors}");
+    assert!(
+        errors.contains("the lots are up to 2226 km from their middle: the Earth is taken as flat") && 2e6 < widest,
+        "{errors}"
+    );
     let (errors, widest) = run(&[square(1, "null", 179.999), square(2, "null", -179.999)]);
     assert!(!errors.contains("from their middle") && widest < 200.0, "{errors} {widest}");
 }
@@ -267,7 +281,36 @@ fn a_file_without_lots_says_why() {
     let folder = Folder::new("crossed");
     folder.write("lots.geojson", &collection(&[CROSSED.to_owned()]));
     let errors = text(&folder.run("run tower.cga --footprint lots.geojson").stderr);
-    assert!(errors.contains("feature 0 is left out: "), "{errors}");
+    assert!(errors.contains("feature 1 is left out: "), "{errors}");
+}
+
+/// The neighbours of a broken feature keep their seeds, too.
+#[test]
+fn a_broken_feature_is_left_out_and_the_others_are_made() {
+    let folder = Folder::new("broken");
+    folder.write("random.cga", "attr value = rand(0, 1000)  Lot --> print(value) X.");
+    let squares = [0, 1, 2].map(|at| square(at, "null", 0.001 * f64::from(at)));
+    let lines = |second: &str| {
+        folder.write("lots.geojson", &collection(&[squares[0].clone(), second.to_owned(), squares[2].clone()]));
+        let output = folder.run("run random.cga --footprint lots.geojson");
+        let lines: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
+        (output.status.code(), lines, text(&output.stderr))
+    };
+    let (status, all, _) = lines(&squares[1]);
+    assert_eq!((status, all.len()), (Some(0), 3));
+    for (number, why) in [
+        ("NaN", "feature 2 is left out: it is not GeoJSON: "),
+        ("1e999", "feature 2 is left out: it is not GeoJSON: "),
+        ("\"0\"", "feature 2 is left out: it is not GeoJSON: "),
+        ("1e9", "feature `1` is left out: its coordinates are not longitudes and latitudes in degrees"),
+        ("-1e300", "feature `1` is left out: its coordinates"),
+    ] {
+        let broken = squares[1].replacen("[[[0.001", &format!("[[[{number}"), 1);
+        assert_ne!(broken, squares[1]);
+        let (status, some, errors) = lines(&broken);
+        assert_eq!((status, some), (Some(1), vec![all[0].clone(), all[2].clone()]), "{number}: {errors}");
+        assert!(errors.contains(why), "{number}: {errors}");
+    }
 }
 
 /// Two streams whose readers are gone.

@@ -10,7 +10,15 @@ use std::path::{Path, PathBuf};
 pub(crate) fn find(paths: &[PathBuf]) -> (Vec<PathBuf>, Vec<String>) {
     let (mut list, mut unread) = (Vec::new(), Vec::new());
     for path in paths {
-        if path.is_dir() { walk(path, &mut list, &mut unread) } else { list.push(path.clone()) }
+        if !path.is_dir() {
+            list.push(path.clone());
+            continue;
+        }
+        let before = (list.len(), unread.len());
+        walk(path, &mut list, &mut unread);
+        if (list.len(), unread.len()) == before {
+            unread.push(format!("`{}` has no file whose name ends in .cga", path.display()));
+        }
     }
     let mut seen = HashSet::new();
     list.retain(|path| seen.insert(path.clone()));

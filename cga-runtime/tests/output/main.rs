@@ -15,6 +15,8 @@ mod sink_meshes;
 mod sink_model;
 mod sink_obj;
 mod sink_picture;
+#[cfg(feature = "gltf")]
+mod sink_quantized;
 mod sink_support;
 #[cfg(all(feature = "gltf", feature = "png"))]
 mod sink_textures;

@@ -1,17 +1,19 @@
 //! A city from rows to the finished folder.
 
 use std::collections::HashSet;
-use std::fs;
-use std::io;
+use std::fs::{self, File, TryLockError};
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use cga_geo::frame::Frame;
+use cga_geo::plain::plain;
 use cga_geo::row::Row;
 use cga_geo::survey::Surveyor;
 use serde_json::json;
 
 use crate::cell::Cell;
+use crate::leftovers::delete_others;
 use crate::level::Level;
 use crate::lots::Sorter;
 use crate::problems::Problems;
@@ -115,14 +117,18 @@ pub struct Build {
     sorter: Sorter,
     /// The folder of sorted footprints; it is deleted with this value.
     _sorted: tempfile::TempDir,
+    /// The locked mark of the folder. The lock ends with the process, however it ends.
+    _lock: File,
     rows: u64,
+    /// A sentence about each file that is damaged and ended early.
+    damaged: Vec<String>,
 }
 
 impl Build {
-    /// Begins a city in a folder: a new one, an empty one, or one that has a city.
+    /// Begins a city in a folder: a new one, an empty one, or one that has a city. The folder is locked until the end of this value.
     ///
     /// # Errors
-    /// A sentence about the folder.
+    /// A sentence about the folder, for example if another run has locked it.
     pub fn begin(folder: &Path, options: Options) -> Result<Self, String> {
         let unusable = |why: io::Error| format!("cannot write to `{}`: {why}", folder.display());
         fs::create_dir_all(folder).map_err(unusable)?;
@@ -133,8 +139,7 @@ impl Build {
                 folder.display()
             ));
         }
-        let mark = json!({ "generator": concat!("cga-city ", env!("CARGO_PKG_VERSION")) });
-        write(&folder.join(MARK), format!("{mark}\n").as_bytes()).map_err(unusable)?;
+        let lock = lock(folder)?;
         // A run that was stopped leaves such folders.
         for entry in fs::read_dir(folder).map_err(unusable)? {
             let path = entry.map_err(unusable)?.path();
@@ -145,7 +150,8 @@ impl Build {
         let sorted = tempfile::Builder::new().prefix(".lots-").tempdir_in(folder).map_err(unusable)?;
         let problems = Problems::create(&folder.join("problems.jsonl")).map_err(unusable)?;
         let sorter = Sorter::new(sorted.path());
-        Ok(Build { folder: folder.to_owned(), options, problems, sorter, _sorted: sorted, rows: 0 })
+        let (folder, damaged) = (folder.to_owned(), Vec::new());
+        Ok(Build { folder, options, problems, sorter, _sorted: sorted, _lock: lock, rows: 0, damaged })
     }
 
     /// Adds the rows of a file.
@@ -160,6 +166,14 @@ impl Build {
         progress: &dyn Progress,
     ) -> io::Result<()> {
         for row in rows {
+            if let Some(why) = row.outlines.as_ref().err().filter(|_| row.is_damaged_end) {
+                self.damaged.push(format!(
+                    "`{}` is damaged in row {}: {}",
+                    plain(file, 200),
+                    row.number,
+                    plain(why, 300)
+                ));
+            }
             let survey = surveyor.survey(row);
             for problem in &survey.problems {
                 self.problems.of_row(file, problem.row, &problem.id, problem.is_lost, &problem.reason)?;
@@ -171,14 +185,24 @@ impl Build {
         Ok(())
     }
 
+    /// Returns true if a file of lots is damaged and ended early. Then no tiles are made.
+    pub fn is_damaged(&self) -> bool {
+        !self.damaged.is_empty()
+    }
+
     /// Makes the tiles, and deletes tiles of older runs that do not belong to the city.
     ///
     /// # Errors
-    /// A sentence: a level does not fit the rules, or an error of the file system.
+    /// A sentence: a file of lots is damaged and ended early, so that an older city stays as it is; a level does not fit the rules; or an
+    /// error of the file system.
     pub fn finish(self, rules: &Rules, progress: &dyn Progress) -> Result<Summary, String> {
-        let Build { folder, options, mut problems, sorter, _sorted, rows } = self;
+        let Build { folder, options, mut problems, sorter, _sorted, _lock, rows, damaged } = self;
         let levels = levels(rules, &options)?;
         let unusable = |why: io::Error| format!("cannot make the tiles in `{}`: {why}", folder.display());
+        if !damaged.is_empty() {
+            problems.finish().map_err(unusable)?;
+            return Err(format!("{}; no tile was made or deleted", damaged.join("\n")));
+        }
         let lots = sorter.finish().map_err(unusable)?;
         progress.read(lots.len() * levels.len() as u64);
         let mut pool = rayon::ThreadPoolBuilder::new();
@@ -196,14 +220,17 @@ impl Build {
             Trees { lots: &lots, levels: &levels, folder: &folder, most_bytes: options.most_bytes, each: &each };
         let blocks = |problems: &mut Problems| -> io::Result<()> {
             let root = root(&trees, &log, problems)?;
-            write(&folder.join("tileset.json"), &root.tileset())?;
+            let path = folder.join("tileset.json");
+            // A city without lots is a mistake, and the older one stays.
+            if !lots.is_empty() || !path.exists() {
+                write(&path, &root.tileset())?;
+            }
             problems.finish()
         };
         pool.install(|| blocks(&mut problems)).map_err(unusable)?;
         let log = log.into_inner().unwrap_or_else(PoisonError::into_inner);
-        // A city without lots is a mistake, and the older one stays.
         if !lots.is_empty() {
-            delete_others(&folder, &log.names).map_err(unusable)?;
+            delete_others(&folder, &|name| log.names.contains(&hash(name))).map_err(unusable)?;
         }
         Ok(Summary {
             rows,
@@ -218,19 +245,59 @@ impl Build {
     }
 }
 
+/// Opens the mark of a folder and locks it. Two runs in one folder would delete the tiles of each other.
+fn lock(folder: &Path) -> Result<File, String> {
+    let path = folder.join(MARK);
+    let unusable = |why: io::Error| format!("cannot write to `{}`: {why}", path.display());
+    let mut file = File::options().read(true).write(true).create(true).truncate(false).open(&path).map_err(unusable)?;
+    match file.try_lock() {
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => {
+            let folder = folder.display();
+            return Err(format!(
+                "another run of cga-city writes to `{folder}`; wait for its end, or name another folder"
+            ));
+        }
+        // Some file systems of networks have no locks.
+        Err(TryLockError::Error(why)) if why.kind() == io::ErrorKind::Unsupported => {}
+        Err(TryLockError::Error(why)) => return Err(unusable(why)),
+    }
+    let mark = format!("{}\n", json!({ "generator": concat!("cga-city ", env!("CARGO_PKG_VERSION")) }));
+    file.set_len(0).and_then(|()| file.write_all(mark.as_bytes())).map_err(unusable)?;
+    Ok(file)
+}
+
+impl Options {
+    /// Checks the levels of detail before rows are read.
+    ///
+    /// # Errors
+    /// A sentence: a level is given twice, has an error that is not above the error of the nearer level, or does not fit the rules.
+    pub fn check(&self, rules: &Rules) -> Result<(), String> {
+        levels(rules, self).map(drop)
+    }
+}
+
 fn levels(rules: &Rules, options: &Options) -> Result<Vec<TreeLevel>, String> {
     let near = Level { error: Some(0.0), ..Level::default() };
     let mut lots = options.lots_per_tile.max(1);
     let mut error = LEVEL_ERROR.0;
     let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
-    for level in &options.levels {
+    for (number, level) in options.levels.iter().enumerate() {
+        let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
+        if options.levels[..number].iter().any(is_same) {
+            return Err(format!("the level `{level}` is given twice"));
+        }
         // The footprints of a tile are in memory.
         lots = lots.saturating_mul(LEVEL_LOTS).min(BLOCK_LOTS.max(lots));
         error = level.error.unwrap_or(error);
         if error <= levels[levels.len() - 1].error {
-            return Err(format!("the error of {error} m of a level is not above the error of the nearer level"));
+            let nearer = levels[levels.len() - 1].error;
+            return Err(format!(
+                "the error of the level `{level}` is {error} m, which is not above the {nearer} m of the nearer level"
+            ));
         }
-        levels.push(TreeLevel { rules: rules.at(level)?, lots, error });
+        let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
+        levels.push(TreeLevel { rules, lots, error });
         error *= LEVEL_ERROR.1;
     }
     Ok(levels)
@@ -318,33 +385,4 @@ impl Log {
 fn hash(name: &str) -> u64 {
     let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(name.replace('\\', "/").as_bytes()).as_bytes();
     u64::from_le_bytes([a, b, c, d, e, f, g, h])
-}
-
-/// Deletes files of tiles and blocks of earlier runs, and folders that become empty. Links are not followed, and files of another kind stay.
-fn delete_others(folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
-    for part in ["tiles", "sets"] {
-        let path = folder.join(part);
-        if fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
-            delete_below(folder, &path, names)?;
-        }
-    }
-    Ok(())
-}
-
-fn delete_below(root: &Path, folder: &Path, names: &HashSet<u64>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let (path, kind) = (entry.path(), entry.file_type()?);
-        // Also what a run that was killed had begun to write.
-        let is_part = entry.file_name().to_string_lossy().starts_with(".part-");
-        let is_ours = kind.is_file() && (is_part || path.extension().is_some_and(|end| end == "glb" || end == "json"));
-        if kind.is_dir() {
-            delete_below(root, &path, names)?;
-            // A folder with files stays.
-            let _ = fs::remove_dir(&path);
-        } else if is_ours && !names.contains(&hash(&path.strip_prefix(root).unwrap_or(&path).to_string_lossy())) {
-            fs::remove_file(&path)?;
-        }
-    }
-    Ok(())
 }

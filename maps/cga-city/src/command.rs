@@ -1,16 +1,18 @@
 //! Makes a city.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
 
 use cga_city::build::{Build, Options, Summary};
+use cga_city::leftovers::is_of_city;
 use cga_city::rules::Rules;
 use cga_geo::crs::{Crs, WGS_84};
 use cga_geo::reader::{self, FileCrs};
 use cga_geo::survey::{Columns, Surveyor};
 use cga_geo::terrain::{AsciiGrid, Terrain};
 
+use crate::named_columns::NamedColumns;
 use crate::options::CityOptions;
 use crate::progress_bar::ProgressBar;
 use crate::stream::say;
@@ -29,10 +31,12 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
         jobs: options.jobs.map(|jobs| jobs as usize),
     };
     // Wrong levels are reported before a file is read.
-    for level in &options.lod {
-        rules.at(level).map_err(|why| Problem::unusable(format!("--lod: {why}")))?;
-    }
-    let files = options.lots.iter().map(|path| open(path, options, &columns, &rules)).collect::<Result<Vec<_>, _>>()?;
+    choices.check(&rules).map_err(|why| Problem::unusable(format!("--lod: {why}")))?;
+    inputs_stay(options, out)?;
+    let mut named = NamedColumns::new(&columns);
+    let open = |path: &PathBuf| open(path, options, &columns, &rules, &mut named);
+    let files = options.lots.iter().map(open).collect::<Result<Vec<_>, _>>()?;
+    named.check_files().map_err(Problem::unusable)?;
     let bar = ProgressBar::new(options.quiet);
     let mut build = Build::begin(out, choices).map_err(Problem::unusable)?;
     for (path, (rows, crs)) in options.lots.iter().zip(files) {
@@ -40,8 +44,15 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
         if let Some(terrain) = &terrain {
             surveyor = surveyor.terrain(terrain.clone());
         }
+        let rows = rows.inspect(|row| named.add_row(row));
         let added = build.add(&path.to_string_lossy(), rows, &surveyor, &bar);
         added.map_err(|why| Problem::unusable(format!("cannot write to `{}`: {why}", out.display())))?;
+    }
+    // A damaged file may end before its columns are seen.
+    let columns = if build.is_damaged() { Ok(()) } else { named.check_rows() };
+    if let Err(why) = columns {
+        bar.finish();
+        return Err(Problem::unusable(why));
     }
     let summary = build.finish(&rules, &bar);
     bar.finish();
@@ -51,7 +62,29 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
     if summary.lots == 0 {
         return Err(Problem::failed("the city is empty: no row has a polygon that can be used"));
     }
+    if summary.levels.iter().any(|level| level.buildings == 0) {
+        return Err(Problem::failed("all buildings of a level are lost; the reasons are above"));
+    }
     Ok(if is_denied { Status::Failed } else { Status::Success })
+}
+
+/// # Errors
+/// A file of the command is one that the city may replace.
+fn inputs_stay(options: &CityOptions, out: &Path) -> Result<(), Problem> {
+    // A folder that does not exist has no files.
+    let Ok(out) = out.canonicalize() else { return Ok(()) };
+    let inputs = options.lots.iter().chain(&options.rules).chain(&options.terrain).chain(&options.assets);
+    for input in inputs {
+        let Ok(path) = input.canonicalize() else { continue };
+        let Ok(below) = path.strip_prefix(&out) else { continue };
+        if is_of_city(&below.to_string_lossy().replace('\\', "/")) {
+            let (input, out) = (input.display(), out.display());
+            return Err(Problem::unusable(format!(
+                "`{input}` is among the tiles in `{out}`; move it, or name another `--out`"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// The rules with the values of the command.
@@ -92,9 +125,16 @@ fn columns(options: &CityOptions, rules: &Rules) -> Result<Columns, Problem> {
 type Opened = (Box<dyn Iterator<Item = cga_geo::row::Row>>, Crs);
 
 /// The rows of a file, and their coordinate system.
-fn open(path: &Path, options: &CityOptions, columns: &Columns, rules: &Rules) -> Result<Opened, Problem> {
+fn open(
+    path: &Path,
+    options: &CityOptions,
+    columns: &Columns,
+    rules: &Rules,
+    named: &mut NamedColumns,
+) -> Result<Opened, Problem> {
     let unread = |why: String| Problem::unusable(format!("cannot read `{}`: {why}", path.display()));
     let file = reader::open(path, &columns.names(&rules.grammars())).map_err(unread)?;
+    named.add_file(file.columns.as_deref());
     let code = match (options.crs, &file.crs) {
         (Some(given), _) => given.0,
         (None, FileCrs::Epsg(code)) => *code,

@@ -38,10 +38,18 @@ pub struct LotProblem {
     pub reason: String,
 }
 
-/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided.
-pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes: u64) -> Option<Content> {
+/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided. Positions
+/// move by at most `accuracy` metres, which makes the file smaller unless the tile is too wide for that.
+pub fn content(
+    lots: &[Footprint],
+    frame: &Frame,
+    rules: &LevelRules,
+    accuracy: f64,
+    most_bytes: u64,
+) -> Option<Content> {
     let mut session = rules.grammars.session(&rules.settings);
-    let mut glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let mut glb = glb.with_quantization(accuracy).without_rules();
     let mut content =
         Content { glb: Vec::new(), bounds: Bounds::EMPTY, buildings: 0, problems: Vec::new(), problems_left_out: 0 };
     for footprint in lots {
@@ -57,7 +65,7 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
         match run {
             Ok(Ok(report)) => {
                 content.buildings += 1;
-                report.faults().iter().for_each(|fault| content.add(footprint, false, fault.to_string()));
+                report.faults().iter().for_each(|fault| content.add(footprint, false, in_command(&fault.to_string())));
             }
             Ok(Err(why)) => content.add(footprint, true, why.to_string()),
             Err(_) => {
@@ -90,6 +98,11 @@ pub fn content(lots: &[Footprint], frame: &Frame, rules: &LevelRules, most_bytes
         Err(why) => lots.iter().for_each(|lot| content.add(lot, true, why.clone())),
     }
     Some(content)
+}
+
+/// A fault in the words of the command: its messages name settings of the library.
+fn in_command(fault: &str) -> String {
+    fault.replace("`Settings::assets`", "`--assets FOLDER`")
 }
 
 impl Content {

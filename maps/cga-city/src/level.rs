@@ -1,5 +1,6 @@
 //! Levels of detail.
 
+use std::fmt;
 use std::str::FromStr;
 
 /// A level of detail: a start rule, or values of attributes, for buildings that are far away.
@@ -11,6 +12,17 @@ pub struct Level {
     pub values: Vec<(String, String)>,
     /// The error in metres that a viewer sees when it shows this level in the place of the near one.
     pub error: Option<f64>,
+}
+
+/// The level as it is written on the command line.
+impl fmt::Display for Level {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.start.as_deref().unwrap_or_default())?;
+        for (number, (name, value)) in self.values.iter().enumerate() {
+            write!(f, "{}{name}={value}", if number == 0 { "" } else { "," })?;
+        }
+        self.error.map_or(Ok(()), |error| write!(f, "@{error}"))
+    }
 }
 
 /// `RULE`, `name=value` or `name=value,name=value`, each with `@METRES` for the error.
@@ -54,6 +66,9 @@ mod tests {
         assert_eq!("Block@12.5".parse(), Ok(block));
         let values = vec![("detail".into(), "0".into()), ("roof".into(), "flat".into())];
         assert_eq!("detail=0,roof=flat".parse(), Ok(Level { start: None, values, error: None }));
+        for text in ["Block@12.5", "detail=0,roof=flat", "Block"] {
+            assert_eq!(text.parse::<Level>().map(|level| level.to_string()), Ok(text.to_owned()));
+        }
         for wrong in ["", "@3", "Block@x", "Block@0", "a=1,b"] {
             assert!(wrong.parse::<Level>().is_err(), "{wrong}");
         }

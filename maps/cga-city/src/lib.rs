@@ -13,6 +13,7 @@ pub mod build;
 pub mod cell;
 pub mod content;
 pub mod glb_bounds;
+pub mod leftovers;
 pub mod level;
 pub mod lots;
 pub mod problems;

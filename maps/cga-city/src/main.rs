@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod command;
+mod named_columns;
 mod options;
 mod progress_bar;
 mod stream;
@@ -27,7 +28,7 @@ use stream::say;
 enum Status {
     /// All went well.
     Success,
-    /// The rules have errors, or the run ended early.
+    /// The rules or the lots have errors, or the run ended early.
     Failed,
     /// A file cannot be read or written, or the arguments are wrong.
     Unusable,

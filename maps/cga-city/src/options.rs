@@ -18,12 +18,12 @@ pub(crate) struct Options {
 
 const STATUS: &str = "\
 Each row or value that cannot be used is a line in DIR/problems.jsonl. A run that was stopped goes on where it ended when it is started again.
-exit status: 0 all went well, 1 the rules have errors or the run ended early, 2 a file cannot be read or
-written or the arguments are wrong";
+exit status: 0 all went well, 1 the rules have errors, a file of lots is damaged, no building was made or the run
+ended early, 2 a file cannot be read or written or the arguments are wrong";
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Writes a file of made-up outlines: .geojson, .fgb, .shp or .parquet
+    /// Writes a new file of made-up outlines: .geojson, .fgb, .shp or .parquet
     Outlines(OutlineOptions),
     /// Serves a city and a page that shows it, for browsers on this computer
     View(ViewOptions),

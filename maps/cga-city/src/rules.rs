@@ -29,7 +29,7 @@ impl Rules {
     /// Rules that are loaded.
     ///
     /// # Errors
-    /// A sentence: the list is empty, or two files have one name.
+    /// A sentence: the list is empty, two files have one name, or a file has no start rule.
     pub fn new(files: Vec<RuleFile>) -> Result<Self, String> {
         let Some(first) = files.first() else { return Err("a city needs rules".to_owned()) };
         let name = first.name().to_owned();
@@ -37,6 +37,12 @@ impl Rules {
             (1..files.len()).find(|at| files[..*at].iter().any(|file| file.name() == files[*at].name()))
         {
             return Err(format!("two rule files have the name `{}`; `{name}` is the first file", files[twice].name()));
+        }
+        if let Some(file) = files.iter().find(|file| file.start_rules().is_empty()) {
+            return Err(format!(
+                "`{}` has no start rule; write a rule without parameters, as in `Lot --> extrude(9)`",
+                file.name()
+            ));
         }
         let mut rules = Rules { files, assets: Arc::default(), digest: [0; 32] };
         rules.digest = rules.digest_of(&[]);
@@ -201,6 +207,15 @@ mod tests {
         let mut set = rules(HOUSE);
         set.set("height", "12").expect("an attribute");
         assert_ne!(digest(&set, &near), first);
+    }
+
+    #[test]
+    fn rules_need_a_start_rule() {
+        for text in ["attr height = 9", "House(h) --> extrude(h) X."] {
+            let file = RuleFile::from_text(text).expect("good rules");
+            let error = Rules::new(vec![file]).expect_err("refused");
+            assert!(error.contains("has no start rule"), "{error}");
+        }
     }
 
     #[test]

@@ -19,6 +19,8 @@ pub struct TileFile {
     pub is_divided: bool,
     /// The bytes of the file; 0 without a file.
     pub bytes: u64,
+    /// The digest of the file, in hexadecimal digits.
+    pub content: String,
     /// The box around the buildings: the lowest and the highest corner as east, north and up in metres; without a file `None`.
     pub bounds: Option<[[f64; 3]; 2]>,
     /// The number of buildings.
@@ -38,8 +40,16 @@ impl TileFile {
     /// The description of a finished tile. `None` if it must be made: it does not exist, has another digest, or its file is damaged.
     pub fn finished(glb: &Path, digest: &str) -> Option<Self> {
         let found: TileFile = serde_json::from_slice(&fs::read(description(glb)).ok()?).ok()?;
-        let is_whole = found.bytes == 0 || fs::metadata(glb).is_ok_and(|file| file.len() == found.bytes);
-        (found.digest == digest && is_whole).then_some(found)
+        (found.digest == digest && found.is_whole(glb)).then_some(found)
+    }
+
+    /// Returns true if the file has its bytes. A file system that was full or without power may have left others, also of the same length.
+    fn is_whole(&self, glb: &Path) -> bool {
+        if self.bytes == 0 {
+            return true;
+        }
+        let has_length = fs::metadata(glb).is_ok_and(|file| file.len() == self.bytes);
+        has_length && fs::read(glb).is_ok_and(|bytes| digest_of(&bytes) == self.content)
     }
 
     /// Writes a tile. The description comes last, so a tile with a description is whole.
@@ -59,6 +69,7 @@ impl TileFile {
             digest,
             is_divided,
             bytes: content.glb.len() as u64,
+            content: digest_of(&content.glb),
             bounds: (!content.glb.is_empty()).then_some([content.bounds.low, content.bounds.high]),
             buildings: content.buildings,
             problems: content.problems,
@@ -72,6 +83,10 @@ impl TileFile {
         write(&description(glb), &serde_json::to_vec(&file)?)?;
         Ok(file)
     }
+}
+
+fn digest_of(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
 }
 
 /// Writes a file with its folders. A reader sees the old file or the new one, never a part.
@@ -118,6 +133,8 @@ mod tests {
         assert_eq!(TileFile::finished(&path, "d"), Some(written));
         assert_eq!(TileFile::finished(&path, "e"), None);
         fs::write(&path, [7; 99]).expect("room");
+        assert_eq!(TileFile::finished(&path, "d"), None);
+        fs::write(&path, [0; 100]).expect("room");
         assert_eq!(TileFile::finished(&path, "d"), None);
         let divided = TileFile::write(&path, "d".into(), None).expect("room");
         assert!(divided.is_divided && !path.exists());

@@ -37,6 +37,13 @@ pub struct TreeLevel {
     pub error: f64,
 }
 
+impl TreeLevel {
+    /// The metres by which positions may move: a centimetre nearby, and a fiftieth of the error far away.
+    fn accuracy(&self) -> f64 {
+        (self.error / 50.0).max(0.01)
+    }
+}
+
 /// A tile that is finished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TileEvent<'t> {
@@ -154,7 +161,8 @@ impl Trees<'_> {
             Some(tile) => tile,
             None => {
                 let footprints = self.lots.footprints(lots.clone())?;
-                let made = content(&footprints, &frame, &self.levels[level].rules, self.most_bytes);
+                let TreeLevel { rules, .. } = &self.levels[level];
+                let made = content(&footprints, &frame, rules, self.levels[level].accuracy(), self.most_bytes);
                 TileFile::write(&path, digest, made)?
             }
         };
@@ -165,8 +173,9 @@ impl Trees<'_> {
     /// The digest of all that a tile depends on.
     fn digest(&self, piece: &Piece, level: usize) -> io::Result<String> {
         let mut digest = blake3::Hasher::new();
-        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 1").as_bytes());
+        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 2").as_bytes());
         digest.update(&self.levels[level].rules.digest).update(&self.most_bytes.to_le_bytes());
+        digest.update(&self.levels[level].accuracy().to_le_bytes());
         digest.update(piece.cell.to_string().as_bytes());
         for entry in self.lots.entries(piece.lots.clone())? {
             digest.update(&entry.digest);

@@ -43,6 +43,13 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
     std::fs::write(folder.path().join("broken.cga"), "Lot --> extrude(").expect("room");
     std::fs::write(folder.path().join("empty.geojson"), "{\"type\":\"FeatureCollection\",\"features\":[]}")
         .expect("room");
+    std::fs::write(folder.path().join("start.cga"), "attr height = 9").expect("room");
+    std::fs::write(folder.path().join("image.cga"), "Lot --> extrude(9) i(\"lost.obj\") X.").expect("room");
+    std::fs::write(folder.path().join("lost.cga"), "Lot --> A(1)  A(n) --> case n < 0 : X. else : A(n + 1)")
+        .expect("room");
+    for ending in ["fgb", "shp", "parquet"] {
+        Town::new(9).write(&folder.path().join(format!("lots.{ending}"))).expect("room");
+    }
     std::fs::write(folder.path().join("lots.txt"), "lots").expect("room");
     std::fs::create_dir(folder.path().join("full")).expect("room");
     std::fs::write(folder.path().join("full/letter.txt"), "dear").expect("room");
@@ -61,10 +68,32 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         (usual("lots.geojson", "house.cga", &["--set", "hight=3"]), 2, "height"),
         (usual("lots.geojson", "house.cga", &["--attribute", "h=hight"]), 2, "`hight` is not an attribute"),
         (usual("lots.geojson", "house.cga", &["--lod", "Blok"]), 2, "its start rules are Lot, Block"),
+        (usual("lots.geojson", "house.cga", &["--lod", "Block", "--lod", "Block@99"]), 2, "`Block@99` is given twice"),
+        (
+            usual("lots.geojson", "house.cga", &["--lod", "Block@9", "--lod", "Lot@8"]),
+            2,
+            "`Lot@8` is 8 m, which is not above",
+        ),
+        (
+            usual("lots.geojson", "house.cga", &["--id", "NOCOL"]),
+            2,
+            "--id: the column `NOCOL` is unknown, as no row has a value in it; the columns are `floors`, `",
+        ),
+        (
+            usual("lots.fgb", "house.cga", &["--attribute", "NOCOL=height"]),
+            2,
+            "--attribute: the column `NOCOL` is unknown, as no file has it; the columns are `",
+        ),
+        (usual("lots.shp", "house.cga", &["--start-column", "NOCOL"]), 2, "--start-column: the column `NOCOL`"),
+        (usual("lots.parquet", "house.cga", &["--grammar-column", "NOCOL"]), 2, "--grammar-column: the column `NOCOL`"),
+        (usual("none.geojson", "start.cga", &[]), 1, "`start` has no start rule"),
+        (usual("lots.geojson", "lost.cga", &[]), 1, "all buildings of a level are lost"),
+        (usual("lots.fgb", "image.cga", &[]), 0, "no asset folder is set (`--assets FOLDER`)"),
         (usual("lots.geojson", "house.cga", &["--terrain", "none.asc"]), 2, "cannot read `none.asc`"),
         (usual("lots.geojson", "house.cga", &["--crs", "EPSG:1"]), 2, "EPSG:1"),
         (run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "full"]), 2, "not a city"),
         (run(folder.path(), &["view", "full"]), 2, "has no tileset.json"),
+        (run(folder.path(), &["outlines", "lots.shp"]), 2, "`lots.shp` exists already"),
         (run(folder.path(), &["outlines", "a.txt"]), 2, "ends in none of"),
     ] {
         let text = said(&output);
@@ -113,6 +142,83 @@ fn lots_get_their_grammars_rules_values_and_ground_from_files() {
     let (low, high) =
         (tile["bounds"][0][2].as_f64().expect("a height"), tile["bounds"][1][2].as_f64().expect("a height"));
     assert!((low - 310.0).abs() < 0.2 && (high - 322.5).abs() < 0.2, "{low} {high}");
+}
+
+#[test]
+fn files_of_a_person_are_not_replaced() {
+    let folder = folder();
+    let town = folder.path().join("town");
+    std::fs::create_dir(&town).expect("room");
+    std::fs::rename(folder.path().join("lots.geojson"), town.join("town.geojson")).expect("room");
+    let before = std::fs::read(town.join("town.geojson")).expect("lots");
+    let output = run(folder.path(), &[]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(said(&output).contains("town.geojson, which exist already"), "{}", said(&output));
+    assert!(std::fs::read(town.join("town.geojson")).expect("lots") == before);
+    // A file among the tiles would be replaced.
+    for name in ["tiles/0/1.geojson", "problems.jsonl"] {
+        let lots = town.join("tiles").join(name);
+        let args = [lots.to_str().expect("a name"), "--rules", "house.cga", "--out", "town/tiles"];
+        std::fs::write(&lots, &before).expect("room");
+        let output = run(folder.path(), &args);
+        assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+        assert!(said(&output).contains("is among the tiles in"), "{}", said(&output));
+    }
+}
+
+#[test]
+fn a_broken_line_is_a_lost_row_and_a_cut_file_is_status_1() {
+    let folder = folder();
+    let lots = folder.path().join("lots.geojsonl");
+    let text = std::fs::read_to_string(folder.path().join("lots.geojson")).expect("lots");
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with('{') && line.contains("\"Feature\"")).collect();
+    let lines: Vec<&str> = lines.into_iter().map(|line| line.trim_end_matches(',')).collect();
+    assert!(50 < lines.len());
+    let half = &lines[4][..lines[4].len() / 2];
+    std::fs::write(&lots, format!("{}\n{half}\n{}\n", lines[..4].join("\n"), lines[5..].join("\n"))).expect("room");
+    let args = ["lots.geojsonl", "--rules", "house.cga", "--out", "out"];
+    let output = run(folder.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    assert!(said(&output).contains("row 5: the line ends inside of this object"), "{}", said(&output));
+    let before = find(&folder.path().join("out"), "glb");
+    std::fs::write(&lots, format!("{}\n{half}", lines[..4].join("\n"))).expect("room");
+    let output = run(folder.path(), &args);
+    assert_eq!(output.status.code(), Some(1), "{}", said(&output));
+    assert!(said(&output).contains("`lots.geojsonl` is damaged in row 5: "), "{}", said(&output));
+    assert!(!before.is_empty() && find(&folder.path().join("out"), "glb") == before);
+}
+
+/// Libraries of formats panic for some damaged files.
+#[test]
+fn damaged_files_and_hostile_ids_print_no_panic_and_no_control_characters() {
+    let folder = folder();
+    let mut random = 1u64;
+    for ending in ["fgb", "parquet"] {
+        let path = folder.path().join(format!("lots.{ending}"));
+        Town::new(9).write(&path).expect("room");
+        let bytes = std::fs::read(&path).expect("lots");
+        for number in 0..40 {
+            let mut changed = bytes.clone();
+            for _ in 0..3 {
+                random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                let at = (random >> 33) as usize % changed.len();
+                changed[at] = (random >> 20) as u8;
+            }
+            std::fs::write(&path, changed).expect("room");
+            let name = format!("lots.{ending}");
+            let output = run(folder.path(), &[&name, "--rules", "house.cga", "--out", "out", "--jobs", "1"]);
+            let text = said(&output);
+            assert!(
+                !text.contains("panicked") && output.status.code().is_some_and(|code| code < 3),
+                "{number}: {text}"
+            );
+            assert!(!text.chars().any(|character| character.is_control() && character != '\n'), "{number}: {text}");
+        }
+    }
+    let lots = "{\"type\":\"Feature\",\"properties\":{\"id\":\"\\u001b]0;x\\u0007\"},\"geometry\":null}";
+    std::fs::write(folder.path().join("lots.geojson"), lots).expect("room");
+    let output = run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "out"]);
+    assert!(said(&output).contains("(id \\u{1b}]0;x\\u{7}): it has no geometry"), "{}", said(&output));
 }
 
 /// The files below a folder with an ending.

@@ -49,6 +49,20 @@ impl Crs {
         self.code
     }
 
+    /// The longitude in the middle of its zone, for the UTM zones of WGS 84, ETRS89, ED50, NAD83 and NAD27.
+    pub fn zone_middle(&self) -> Option<f64> {
+        let zone = match self.code {
+            32601..=32660 => self.code - 32600,
+            32701..=32760 => self.code - 32700,
+            25828..=25838 => self.code - 25800,
+            23028..=23038 => self.code - 23000,
+            26901..=26923 => self.code - 26900,
+            26701..=26722 => self.code - 26700,
+            _ => return None,
+        };
+        Some(6.0 * f64::from(zone) - 183.0)
+    }
+
     /// The longitude and latitude of a point in degrees.
     ///
     /// # Errors
@@ -108,6 +122,7 @@ mod tests {
         let utm = Crs::from_epsg(32632).expect("known");
         let [longitude, latitude] = utm.degrees([500_000.0, 0.0]).expect("inside");
         assert!((longitude - 9.0).abs() < 1e-9 && latitude.abs() < 1e-9);
+        assert_eq!(utm.zone_middle(), Some(9.0));
         // 1 km to the north near the equator: the meridian has 110,574 m a degree there, and the zone a scale of 0.9996.
         let [_, latitude] = utm.degrees([500_000.0, 1000.0]).expect("inside");
         assert!((latitude - 1.0 / 110.574 / 0.9996).abs() < 1e-6, "{latitude}");

@@ -16,7 +16,7 @@
 //!     "coordinates": [[[10.0, 50.0], [10.0002, 50.0], [10.0002, 50.0001], [10.0, 50.0001], [10.0, 50.0]]] } }"#;
 //! let house = House::default();
 //! let surveyor = Surveyor::new(vec![&house], Columns::default());
-//! for row in geojson::read(text.as_bytes())?.rows {
+//! for row in geojson::read(std::io::Cursor::new(text))?.rows {
 //!     let survey = surveyor.survey(row);
 //!     assert!(survey.problems.is_empty());
 //!     for footprint in survey.footprints {
@@ -42,6 +42,7 @@ pub mod crs;
 pub mod footprint;
 pub mod frame;
 pub mod outline;
+pub mod plain;
 pub mod reader;
 pub mod row;
 pub mod survey;

@@ -1,5 +1,7 @@
 //! Polygons of rows, before they are checked.
 
+use std::ops::RangeInclusive;
+
 /// A corner in the coordinates of the file: x or longitude, then y or latitude.
 pub type Corner = [f64; 2];
 
@@ -10,17 +12,27 @@ pub struct Outline {
     pub rings: Vec<Vec<Corner>>,
     /// The lowest height of the corners of the outer ring in metres, if the file has heights.
     pub height: Option<f64>,
+    /// A height of a corner that is not in [`HEIGHTS`] and was left out.
+    pub wrong_height: Option<f64>,
 }
+
+/// The heights in metres that corners may have. Files write numbers such as −3.4·10³⁸ for a height that is missing.
+pub const HEIGHTS: RangeInclusive<f64> = -12_000.0..=100_000.0;
 
 impl Outline {
     /// An outline without heights.
     pub fn new(rings: Vec<Vec<Corner>>) -> Self {
-        Outline { rings, height: None }
+        Outline { rings, ..Outline::default() }
     }
 
     /// Takes a height of a corner of the outer ring. NaN is not a height.
     pub fn lower_to(&mut self, height: f64) {
-        if height.is_finite() {
+        if height.is_nan() {
+            return;
+        }
+        if !HEIGHTS.contains(&height) {
+            self.wrong_height.get_or_insert(height);
+        } else {
             self.height = Some(self.height.map_or(height, |lowest| lowest.min(height)));
         }
     }

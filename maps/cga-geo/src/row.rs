@@ -9,7 +9,7 @@ pub const MOST_CORNERS: usize = 20_000;
 /// A row of a map file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// Its number in the file, from 0.
+    /// Its number in the file, from 1.
     pub number: u64,
     /// The id that the format has beside its columns.
     pub id: Option<String>,
@@ -19,12 +19,19 @@ pub struct Row {
     pub columns: Vec<(String, ColumnValue)>,
     /// Faults of the row that were mended.
     pub notes: Vec<String>,
+    /// True if the file is damaged and ends with this row: further rows may be missing.
+    pub is_damaged_end: bool,
 }
 
 impl Row {
     /// A row without columns.
     pub fn new(number: u64, outlines: Result<Vec<Outline>, String>) -> Self {
-        Row { number, id: None, outlines, columns: Vec::new(), notes: Vec::new() }
+        Row { number, id: None, outlines, columns: Vec::new(), notes: Vec::new(), is_damaged_end: false }
+    }
+
+    /// The last row of a damaged file, with the reason.
+    pub fn damaged_end(number: u64, why: String) -> Self {
+        Row { is_damaged_end: true, ..Row::new(number, Err(why)) }
     }
 
     /// The value of a column.

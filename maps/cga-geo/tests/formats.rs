@@ -104,7 +104,12 @@ fn a_file_that_ends_early_says_so_or_is_refused() {
             let house = House::default();
             let Ok(file) = reader::open(&path, &["id".to_owned()]) else { continue };
             let surveyor = Surveyor::new(vec![&house], Columns::default());
-            let surveys: Vec<_> = file.rows.map(|row| surveyor.survey(row)).collect();
+            let rows: Vec<_> = file.rows.collect();
+            // Only the last row tells that the file is damaged.
+            let ends: Vec<bool> = rows.iter().map(|row| row.is_damaged_end).collect();
+            assert_eq!(ends.iter().position(|is_end| *is_end), Some(rows.len() - 1), "{ending} {part}");
+            assert!(rows.iter().zip(1..).all(|(row, number)| row.number == number), "{ending} {part}");
+            let surveys: Vec<_> = rows.into_iter().map(|row| surveyor.survey(row)).collect();
             let found: usize = surveys.iter().map(|survey| survey.footprints.len()).sum();
             let lost = surveys.iter().flat_map(|survey| &survey.problems).any(|problem| problem.is_lost);
             assert!(found < whole && lost, "{ending} {part}: {found} of {whole}");
@@ -153,4 +158,66 @@ fn a_feature_with_a_wrong_length_takes_no_memory() {
     assert_eq!(rows.len(), 1);
     let why = rows[0].outlines.as_ref().expect_err("damaged");
     assert!(why.contains("after 0 of 1 features: a feature is longer than the rest of the file"), "{why}");
+}
+
+#[test]
+fn a_table_that_announces_too_many_rows_ends_with_a_reason() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("town.shp");
+    Town::new(40).write(&path).expect("room");
+    let table = path.with_extension("dbf");
+    let bytes = std::fs::read(&table).expect("the table");
+    for count in [u32::MAX, 3] {
+        let mut changed = bytes.clone();
+        changed[4..8].copy_from_slice(&count.to_le_bytes());
+        std::fs::write(&table, changed).expect("room");
+        let rows: Vec<_> = reader::open(&path, &[]).expect("a shapefile").rows.collect();
+        let last = rows.last().expect("a row");
+        let whole = if count == 3 { 3 } else { 40 };
+        assert_eq!((rows.len(), last.number, last.is_damaged_end), (whole + 1, whole as u64 + 1, true));
+        let why = last.outlines.as_ref().expect_err("damaged");
+        assert!(why.contains(&format!("announces {count} rows")), "{why}");
+    }
+    // Each of the three files may be the one that is cut short.
+    std::fs::write(&table, &bytes[..bytes.len() / 2]).expect("room");
+    let last = reader::open(&path, &[]).expect("a shapefile").rows.last().expect("a row");
+    assert!(last.is_damaged_end && last.outlines.is_err_and(|why| why.contains("announces 40 rows and has ")));
+    std::fs::write(&table, &bytes[..9]).expect("room");
+    let why = reader::open(&path, &[]).err().expect("refused");
+    assert!(why.contains("town.dbf` is not a table: ") && !why.contains('{'), "{why}");
+    let index = path.with_extension("shx");
+    let bytes = std::fs::read(&index).expect("the index");
+    std::fs::write(&index, &bytes[..bytes.len() - 20]).expect("room");
+    let why = reader::open(&path, &[]).err().expect("refused");
+    assert!(why.contains("town.shx` is cut short: it has 400 of 420 bytes"), "{why}");
+}
+
+#[test]
+fn formats_with_a_head_know_their_columns() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let columns = |ending: &str| {
+        let path = folder.path().join(format!("town.{ending}"));
+        Town::new(3).write(&path).expect("room");
+        reader::open(&path, &[]).expect("a map file").columns
+    };
+    let expected = columns("fgb");
+    assert!(
+        expected
+            .as_ref()
+            .is_some_and(|names| names.contains(&"height".to_owned()) && !names.contains(&"geometry".to_owned()))
+    );
+    assert_eq!([columns("shp"), columns("parquet"), columns("geojson")], [expected.clone(), expected, None]);
+}
+
+#[test]
+fn a_broken_line_is_one_lost_row() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("town.geojsonl");
+    let line =
+        |x: u32| format!("{{\"type\":\"Polygon\",\"coordinates\":[[[{x},0],[{x}.001,0],[{x},0.001],[{x},0]]]}}\n");
+    let text = [&line(1), "{\"type\":\"Polygon\",\"coordinates\":[[[\n", &line(2), "}]\n", &line(3)].concat();
+    std::fs::write(&path, text).expect("room");
+    let (footprints, _, problems) = surveyed(&path);
+    let lost: Vec<u64> = problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.row).collect();
+    assert_eq!((footprints.len(), lost), (3, vec![2, 4]), "{problems:?}");
 }

@@ -6,6 +6,7 @@
 //! instead ([`Glb::by_rule`], [`Glb::by_building`]). Assets inserted more than once are stored once and placed by nodes, with
 //! the number of their building in `extras`. On request, parts that rules repeat are stored once
 //! with a list of their places (`EXT_mesh_gpu_instancing`) and of their buildings (`EXT_instance_features`). Colours are converted from sRGB to linear light.
+//! On request, positions have 16 bits and normals 8 bits (`KHR_mesh_quantization`, [`Glb::with_quantization`]).
 //! Materials are double sided by default, as in CGA. Equal leaves and images give equal bytes.
 //!
 //! Images are embedded if the assets are known ([`Glb::with_assets`]; a model of a run knows them), otherwise they
@@ -30,6 +31,7 @@ mod pack;
 mod parts;
 mod primitive;
 mod property_table;
+mod quantized;
 mod scene;
 mod single_sided;
 mod streams;
@@ -46,7 +48,9 @@ use glam::{DAffine3, DVec3};
 use self::buildings::BuildingList;
 use self::look::Looks;
 use self::parts::RepeatedParts;
-use self::primitive::{BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, UV_BYTES, VERTEX_BYTES};
+use self::primitive::{
+    BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, QUANTIZED_BYTES, RULE_BYTES, UV_BYTES, VERTEX_BYTES,
+};
 use self::scene::{Division, MeshPlacement, SceneMesh};
 use self::single_sided::SingleSided;
 use super::error::WriteError;
@@ -94,6 +98,10 @@ pub struct Glb {
     placements: Option<Vec<(Owner, Scope)>>,
     /// Names and JSON texts of values.
     extras: Vec<(String, String)>,
+    /// The most metres by which quantization may move positions, if it is wanted.
+    quantization: Option<f64>,
+    /// True if vertices have no numbers of rules.
+    has_no_rules: bool,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -316,7 +324,12 @@ impl Glb {
     /// Counts the bytes of vertices with a number of sets of texture coordinates, and of indices.
     fn add(&mut self, vertices: usize, indices: usize, sets: usize) -> Flow {
         let vertex = VERTEX_BYTES + sets as u64 * UV_BYTES + if self.buildings.is_empty() { 0 } else { BUILDING_BYTES };
-        self.add_bytes(vertices as u64 * vertex + indices as u64 * INDEX_BYTES)
+        let saved = if self.has_no_rules { RULE_BYTES } else { 0 };
+        let (saved, index) = match self.quantization {
+            Some(_) => (saved + QUANTIZED_BYTES, INDEX_BYTES / 2),
+            None => (saved, INDEX_BYTES),
+        };
+        self.add_bytes(vertices as u64 * (vertex - saved) + indices as u64 * index)
     }
 
     fn add_bytes(&mut self, bytes: u64) -> Flow {

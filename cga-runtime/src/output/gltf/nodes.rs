@@ -8,6 +8,7 @@ use super::Glb;
 use super::json::{self, joined, quoted};
 use super::primitive::Owner;
 use super::property_table::Tables;
+use super::quantized::Grid;
 use super::scene::{INSTANCING, MeshPlacement, NodePlaces, SceneMesh};
 use crate::geometry::each::Each;
 use crate::output::number_text::list;
@@ -60,8 +61,14 @@ fn building_name(glb: &Glb, building: u32) -> String {
     if name.is_empty() { format!("building {building}") } else { name.to_owned() }
 }
 
-/// The member `nodes`. `places` are the nodes of meshes with instances.
-pub(super) fn nodes(glb: &Glb, meshes: &[SceneMesh], places: &[NodePlaces], tables: &Tables) -> String {
+/// The member `nodes`. `places` are the nodes of meshes with instances, and `grid` has the positions of the mesh in the root node.
+pub(super) fn nodes(
+    glb: &Glb,
+    meshes: &[SceneMesh],
+    places: &[NodePlaces],
+    tables: &Tables,
+    grid: Option<&Grid>,
+) -> String {
     let mut root = Node::new(glb.name.as_deref().unwrap_or("model"), String::new());
     let (mut main, mut children) = (String::new(), Vec::new());
     let mut buildings: Vec<Node> = Vec::new();
@@ -79,8 +86,14 @@ pub(super) fn nodes(glb: &Glb, meshes: &[SceneMesh], places: &[NodePlaces], tabl
             None => children.push(node),
         };
         match &mesh.places {
-            // It is the first mesh.
-            MeshPlacement::Root => main.push_str(",\"mesh\":0"),
+            // It is the first mesh. Its numbers become metres in a node of their own, so that the children of the root stay as they are.
+            MeshPlacement::Root => match grid {
+                None => main.push_str(",\"mesh\":0"),
+                Some(Grid { low, step }) => {
+                    let (low, scale) = (list(&low.to_array()), list(&[*step; 3]));
+                    children.push(Node::new(&name, format!(",\"mesh\":0,\"translation\":[{low}],\"scale\":[{scale}]")));
+                }
+            },
             MeshPlacement::Child if !glb.division.by_rule && mesh.building.is_some() => {
                 let own = mesh.building.and_then(|own| buildings.get_mut(own as usize));
                 own.into_iter().for_each(|own| own.members.insert_str(0, &format!(",\"mesh\":{number}")));

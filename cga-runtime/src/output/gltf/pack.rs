@@ -10,6 +10,7 @@ use super::json::{joined, quoted};
 use super::nodes::{name, nodes};
 use super::primitive::Primitive;
 use super::property_table::{self, PropertyTable, Tables};
+use super::quantized::{ByteNormals, Grid, GridPositions, QUANTIZATION, has_short_indices};
 use super::scene::{Division, INSTANCING, MeshInstance, MeshPlacement, NodePlaces, SceneMesh};
 use super::textures::LookTexture;
 use super::words::Words;
@@ -20,6 +21,8 @@ use crate::output::number_text::list;
 use crate::output::packed::PackedFaces;
 
 /// The component types of the format.
+const I8: u32 = 5120;
+const U16: u32 = 5123;
 const U32: u32 = 5125;
 const F32: u32 = 5126;
 
@@ -31,9 +34,13 @@ struct VertexLayout {
 }
 
 const INDEX: VertexLayout = VertexLayout { kind: "SCALAR", component: U32, bytes: 4 };
+const SHORT_INDEX: VertexLayout = VertexLayout { kind: "SCALAR", component: U16, bytes: 2 };
 const FEATURE: VertexLayout = VertexLayout { kind: "SCALAR", component: F32, bytes: 4 };
 const UV: VertexLayout = VertexLayout { kind: "VEC2", component: F32, bytes: 8 };
 const POINT: VertexLayout = VertexLayout { kind: "VEC3", component: F32, bytes: 12 };
+/// A point on a grid. Vertices begin at whole words.
+const GRID_POINT: VertexLayout = VertexLayout { kind: "VEC3", component: U16, bytes: 8 };
+const BYTE_NORMAL: VertexLayout = VertexLayout { kind: "VEC3", component: I8, bytes: 4 };
 const TANGENT: VertexLayout = VertexLayout { kind: "VEC4", component: F32, bytes: 16 };
 
 /// The accessors of one primitive.
@@ -49,13 +56,30 @@ struct Accessors {
     tangent: Option<usize>,
 }
 
+/// The streams whose numbers are small.
+#[derive(Clone, Copy)]
+struct SmallNumbers {
+    /// True for normals of bytes, and for indices of 16 bits where they suffice.
+    is_wanted: bool,
+    grid: Option<Grid>,
+    /// The number of the first primitives, whose positions are on the grid.
+    on_grid: usize,
+}
+
 pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Container<'a>, WriteError> {
     let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
     let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
-    let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule);
+    let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule && !glb.has_no_rules);
     let buildings = Some(&glb.rows[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
-    let mut accessors = binary.primitives(&flat, rules.is_some())?;
+    let grid = glb.grid(meshes)?;
+    let rooted = meshes.iter().filter(|mesh| matches!(mesh.places, MeshPlacement::Root));
+    let small = SmallNumbers {
+        is_wanted: glb.quantization.is_some(),
+        grid,
+        on_grid: if grid.is_some() { rooted.map(|mesh| mesh.primitives.len()).sum() } else { 0 },
+    };
+    let mut accessors = binary.primitives(&flat, rules.is_some(), small)?;
     // Meshes at several places follow the others.
     let owned: usize = meshes.iter().filter(|mesh| mesh.is_in_place()).map(|mesh| mesh.primitives.len()).sum();
     if let Some(buildings) = buildings {
@@ -80,7 +104,8 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
     let mut json = String::from("{\"asset\":{\"generator\":\"cga\",\"version\":\"2.0\"},");
     let has_transforms = glb.looks.textures().any(LookTexture::is_transformed);
     let has_features = accessors.iter().any(|own| own.rule.is_some() || own.building.is_some());
-    write_extensions(&mut json, &tables, has_features, has_transforms, &places);
+    let is_quantized = small.is_wanted && !flat.is_empty();
+    write_extensions(&mut json, &tables, [has_features, has_transforms, is_quantized], &places);
     let list = rules.map(PropertyTable::of_rules).into_iter().chain(buildings.map(PropertyTable::of_buildings));
     let list: Vec<PropertyTable> = list.collect();
     if !list.is_empty() {
@@ -93,7 +118,7 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
         json.push_str("\"scene\":0,\"scenes\":[{}]");
     } else {
         json.push_str("\"scene\":0,\"scenes\":[{\"nodes\":[0]}],");
-        json.push_str(&nodes(glb, meshes, &places, &tables));
+        json.push_str(&nodes(glb, meshes, &places, &tables, grid.as_ref()));
     }
     if !flat.is_empty() {
         write_meshes(&mut json, glb, meshes, accessors, &tables);
@@ -128,11 +153,11 @@ fn write_meshes(json: &mut String, glb: &Glb, meshes: &[SceneMesh], accessors: V
 fn write_extensions(
     json: &mut String,
     tables: &Tables,
-    has_features: bool,
-    has_transforms: bool,
+    [has_features, has_transforms, is_quantized]: [bool; 3],
     places: &[NodePlaces],
 ) {
     let used = [
+        (is_quantized, QUANTIZATION),
         (has_features, "EXT_mesh_features"),
         (tables.rules.is_some() || tables.buildings.is_some(), "EXT_structural_metadata"),
         (has_transforms, "KHR_texture_transform"),
@@ -143,9 +168,11 @@ fn write_extensions(
     if !used.is_empty() {
         let _ = write!(json, "\"extensionsUsed\":[{used}],");
     }
-    if !places.is_empty() {
-        // A reader without the extension would show each part once, at a wrong place.
-        let _ = write!(json, "\"extensionsRequired\":[{}],", quoted(INSTANCING));
+    // A reader without instances would show each part once, at a wrong place.
+    let required = [(is_quantized, QUANTIZATION), (!places.is_empty(), INSTANCING)];
+    let required = joined(required.into_iter().filter(|(is_used, _)| *is_used).map(|(_, name)| quoted(name)));
+    if !required.is_empty() {
+        let _ = write!(json, "\"extensionsRequired\":[{required}],");
     }
 }
 
@@ -172,26 +199,54 @@ fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
 
 impl<'a> BinaryChunk<'a> {
     /// Adds one view for each stream of all primitives together, and accessors for each primitive.
-    fn primitives(&mut self, primitives: &[&'a Primitive], has_rules: bool) -> Result<Vec<Accessors>, WriteError> {
+    fn primitives(
+        &mut self,
+        primitives: &[&'a Primitive],
+        has_rules: bool,
+        small: SmallNumbers,
+    ) -> Result<Vec<Accessors>, WriteError> {
         if primitives.is_empty() {
             return Ok(Vec::new());
         }
-        let ranges = primitives.iter().map(|p| extremes(&p.faces)).collect::<Result<Vec<_>, _>>()?;
+        let (on_grid, others) = primitives.split_at(small.on_grid);
+        let ranges = others.iter().map(|p| extremes(&p.faces)).collect::<Result<Vec<_>, _>>()?;
         let lists: Vec<&Vec<[f32; 2]>> = primitives.iter().flat_map(|p| &p.uvs).collect();
         if !lists.iter().all(|list| list.as_flattened().iter().all(|number| number.is_finite())) {
             return Err(WriteError::NotFinite);
         }
-        let indices = self.stream(&INDEX, primitives, |p| p.faces.index_count(), &[], Primitive::write_indices);
+        let corners = |p: &Primitive| p.faces.index_count();
+        let indices = match small.is_wanted && has_short_indices(primitives) {
+            true => self.stream(&SHORT_INDEX, primitives, corners, &[], Primitive::write_short_indices),
+            false => self.stream(&INDEX, primitives, corners, &[], Primitive::write_indices),
+        };
         let vertices = |p: &Primitive| p.faces.vertex_count();
-        let position = self.stream(&POINT, primitives, vertices, &ranges, Primitive::write_positions);
-        let normal = self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals);
+        let mut positions = Vec::new();
+        if let Some(grid) = small.grid {
+            let ranges = on_grid.iter().map(|p| grid_extremes(&grid, &p.faces)).collect::<Result<Vec<_>, _>>()?;
+            let first = self.stream(&GRID_POINT, on_grid, vertices, &ranges, move |p, to| {
+                p.faces.positions(&mut GridPositions { to, grid })
+            });
+            positions.extend(first..first + on_grid.len());
+        }
+        if !others.is_empty() {
+            let first = self.stream(&POINT, others, vertices, &ranges, Primitive::write_positions);
+            positions.extend(first..first + others.len());
+        }
+        let normal = match small.is_wanted {
+            true => {
+                let normalized = vec![",\"normalized\":true".to_owned(); primitives.len()];
+                let write = |p: &Primitive, to: &mut Words<'_>| p.faces.normals(&mut ByteNormals(to));
+                self.stream(&BYTE_NORMAL, primitives, vertices, &normalized, write)
+            }
+            false => self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals),
+        };
         let rule = has_rules.then(|| self.stream(&FEATURE, primitives, vertices, &[], Primitive::write_rules));
         let mut uv = self.accessors.len();
         if !lists.is_empty() {
             uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| to.floats(list.as_flattened()));
         }
         let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
-            let (indices, position, normal) = (indices + i, position + i, normal + i);
+            let (indices, position, normal) = (indices + i, positions[i], normal + i);
             let rule = rule.map(|rule| rule + i);
             let own = Accessors { indices, position, normal, rule, building: None, uv, tangent: None };
             uv += primitive.uvs.len();
@@ -225,17 +280,19 @@ impl<'a> BinaryChunk<'a> {
         write: impl Fn(&T, &mut Words<'_>) -> io::Result<()> + 'a,
     ) -> usize {
         let VertexLayout { kind, component, bytes } = *layout;
-        let usage = match component {
-            U32 => ",\"target\":34963".to_owned(),
+        let usage = match (kind, component) {
+            ("SCALAR", U16 | U32) => ",\"target\":34963".to_owned(),
             _ => format!(",\"byteStride\":{bytes},\"target\":34962"),
         };
-        let (total, all) = (parts.iter().map(|part| count(part)).sum::<usize>(), parts.to_vec());
-        let view = self.view(bytes * total, &usage, move |to| all.iter().try_for_each(|part| write(part, to)));
+        // Parts begin at whole words.
+        let length = |part: &T| (bytes * count(part)).next_multiple_of(4);
+        let (total, all) = (parts.iter().map(|part| length(part)).sum::<usize>(), parts.to_vec());
+        let view = self.view(total, &usage, move |to| all.iter().try_for_each(|part| write(part, to)));
         let (first, mut offset) = (self.accessors.len(), 0);
         for (i, part) in parts.iter().enumerate() {
             let more = more.get(i).map_or("", String::as_str);
             self.accessor(view, offset, component, count(part), kind, more);
-            offset += bytes * count(part);
+            offset += length(part);
         }
         first
     }
@@ -286,4 +343,11 @@ impl<'a> BinaryChunk<'a> {
 fn extremes(faces: &PackedFaces) -> Result<String, WriteError> {
     let (low, high) = faces.bounds().ok_or(WriteError::NotFinite)?;
     Ok(format!(",\"min\":[{}],\"max\":[{}]", list(&low.as_dvec3().to_array()), list(&high.as_dvec3().to_array())))
+}
+
+/// The members `min` and `max` of positions on a grid.
+fn grid_extremes(grid: &Grid, faces: &PackedFaces) -> Result<String, WriteError> {
+    let (low, high) = faces.bounds().ok_or(WriteError::NotFinite)?;
+    let [low, high] = [low, high].each(|corner| joined(grid.numbers(corner.to_array()).map(|n| n.to_string())));
+    Ok(format!(",\"min\":[{low}],\"max\":[{high}]"))
 }

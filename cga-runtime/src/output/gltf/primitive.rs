@@ -55,6 +55,10 @@ pub(super) const VERTEX_BYTES: u64 = 28;
 /// The bytes of the number of its building, in a file of several.
 pub(super) const BUILDING_BYTES: u64 = 4;
 pub(super) const INDEX_BYTES: u64 = 4;
+/// The bytes of the number of its rule.
+pub(super) const RULE_BYTES: u64 = 4;
+/// The bytes that quantization saves: positions of 8 bytes and normals of 4 bytes.
+pub(super) const QUANTIZED_BYTES: u64 = 12;
 
 /// The bytes of a vertex for each set of texture coordinates.
 pub(super) const UV_BYTES: u64 = 8;

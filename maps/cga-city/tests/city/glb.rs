@@ -92,7 +92,8 @@ impl Glb {
     /// The buildings with their vertices.
     pub(crate) fn buildings(&self) -> Vec<Building> {
         let mut buildings: Vec<Building> = Vec::new();
-        for mesh in self.json["meshes"].as_array().expect("meshes") {
+        for (number, mesh) in self.json["meshes"].as_array().expect("meshes").iter().enumerate() {
+            let [translation, scale] = self.place(number);
             for primitive in mesh["primitives"].as_array().expect("primitives") {
                 let (table, set) = self.buildings_of(primitive);
                 if buildings.is_empty() {
@@ -102,6 +103,7 @@ impl Glb {
                 let positions = self.numbers::<3>(&primitive["attributes"]["POSITION"]);
                 assert_eq!(ids.len(), positions.len());
                 for ([id], [_, y, _]) in ids.into_iter().zip(positions) {
+                    let y = translation + scale * y;
                     let building = &mut buildings[id as usize];
                     building.y = [building.y[0].min(y), building.y[1].max(y)];
                     building.vertices += 1;
@@ -109,6 +111,14 @@ impl Glb {
             }
         }
         buildings
+    }
+
+    /// The height of the node of a mesh, and its scale.
+    fn place(&self, mesh: usize) -> [f32; 2] {
+        let nodes = self.json["nodes"].as_array().expect("nodes");
+        let node = nodes.iter().find(|node| node["mesh"] == mesh).expect("a node");
+        let y = |name: &str, usual: f64| node[name][1].as_f64().unwrap_or(usual) as f32;
+        [y("translation", 0.0), y("scale", 1.0)]
     }
 
     fn rows(&self, table: usize) -> Vec<Building> {

@@ -6,7 +6,7 @@ use cga_city::rules::Rules;
 use cga_geo::synthetic::Town;
 use serde_json::Value;
 
-use crate::town::{build, city, files, options};
+use crate::town::{build, city, files, options, rules};
 
 fn problems(out: &std::path::Path) -> Vec<Value> {
     let text = std::fs::read_to_string(out.join("problems.jsonl")).expect("problems");
@@ -22,7 +22,7 @@ fn each_lost_row_has_its_number_and_a_reason() {
     let summary = city(&lots, &out);
     let lost: Vec<Value> = problems(&out).into_iter().filter(|problem| problem["lost"] == true).collect();
     let rows: Vec<u64> = lost.iter().map(|problem| problem["row"].as_u64().expect("a number")).collect();
-    assert_eq!(rows, (0..30).map(|number| number * 10 + 9).collect::<Vec<_>>());
+    assert_eq!(rows, (0..30).map(|number| number * 10 + 10).collect::<Vec<_>>());
     assert!(lost.iter().all(|problem| !problem["reason"].as_str().unwrap_or_default().is_empty()));
     let good: u64 = town.iter().filter(|row| row.id % 10 != 0).map(|row| row.polygons.len() as u64).sum();
     assert_eq!((summary.lost, summary.lots, summary.levels[0].buildings), (30, good, good));
@@ -64,4 +64,21 @@ fn a_city_without_lots_is_an_empty_tileset() {
     assert_eq!((summary.rows, summary.lots), (0, 0));
     let set: Value = serde_json::from_slice(&files(&out)["tileset.json"]).expect("JSON");
     assert!(set["root"]["boundingVolume"]["box"][0].is_number(), "{set}");
+}
+
+#[test]
+fn a_file_that_ends_early_leaves_the_older_city() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for ending in ["geojson", "fgb", "shp"] {
+        let (lots, out) = (folder.path().join(format!("town.{ending}")), folder.path().join(ending));
+        Town::new(200).write(&lots).expect("room");
+        city(&lots, &out);
+        let before = files(&out);
+        let bytes = std::fs::read(&lots).expect("the file");
+        std::fs::write(&lots, &bytes[..bytes.len() / 2]).expect("room");
+        let error = build(&lots, &out, &rules(), options(), &NoProgress).expect_err("damaged");
+        assert!(error.contains("is damaged in row ") && error.contains("no tile was made or deleted"), "{error}");
+        assert!(files(&out) == before, "{ending}");
+        assert!(problems(&out).last().is_some_and(|problem| problem["lost"] == true));
+    }
 }

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::io;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use cga_city::build::{NoProgress, Progress};
+use cga_city::build::{Build, NoProgress, Progress};
 use cga_city::tree::TileEvent;
 use cga_geo::synthetic::Town;
 
@@ -51,11 +51,15 @@ fn a_damaged_tile_is_made_again() {
     Town::new(100).write(&lots).expect("room");
     city(&lots, &out);
     let before = files(&out);
-    let name = before.keys().find(|name| name.ends_with(".glb")).expect("a tile");
-    std::fs::write(out.join(name), b"glTF").expect("room");
+    let (name, bytes) = before.iter().find(|(name, _)| name.ends_with(".glb")).expect("a tile");
     std::fs::write(out.join("tiles/.part-of-a-killed-run"), b"half").expect("room");
-    assert_eq!(city(&lots, &out).made, 1);
-    assert!(files(&out) == before);
+    let mut flipped = bytes.clone();
+    flipped[bytes.len() / 2] ^= 1;
+    for damaged in [b"glTF".to_vec(), vec![0; bytes.len()], flipped] {
+        std::fs::write(out.join(name), damaged).expect("room");
+        assert_eq!(city(&lots, &out).made, 1);
+        assert!(files(&out) == before);
+    }
 }
 
 #[test]
@@ -110,7 +114,8 @@ fn links_are_not_followed_and_files_of_others_stay_among_the_tiles() {
     Town::new(20).write(&lots).expect("room");
     city(&lots, &out);
     std::fs::create_dir(&other).expect("room");
-    let letters = [other.join("house.glb"), out.join("tiles/notes.txt")];
+    let names = ["tiles/notes.txt", "tiles/my.json", "tiles/0/house.glb", "sets/old.json"].map(|name| out.join(name));
+    let letters = [other.join("house.glb")].into_iter().chain(names).collect::<Vec<_>>();
     letters.iter().for_each(|path| std::fs::write(path, b"dear").expect("room"));
     std::os::unix::fs::symlink(&other, out.join("tiles/backup")).expect("a link");
     city(&lots, &out);
@@ -128,4 +133,20 @@ fn a_file_without_lots_leaves_the_older_city() {
     std::fs::write(&lots, "{\"type\":\"FeatureCollection\",\"features\":[]}").expect("room");
     city(&lots, &out);
     assert!(0 < before && tiles(files(&out)) == before);
+}
+
+#[test]
+fn a_folder_has_one_run_at_a_time() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, out) = (folder.path().join("town.geojson"), folder.path().join("out"));
+    Town::new(20).write(&lots).expect("room");
+    let first = Build::begin(&out, options()).expect("a new folder");
+    let error = build(&lots, &out, &rules(), options(), &NoProgress).expect_err("locked");
+    assert!(error.contains("another run of cga-city writes to"), "{error}");
+    // The lock ends with the run.
+    drop(first);
+    city(&lots, &out);
+    let before = files(&out);
+    city(&lots, &out);
+    assert!(files(&out) == before);
 }

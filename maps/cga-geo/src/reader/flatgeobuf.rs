@@ -1,7 +1,6 @@
 //! FlatGeobuf.
 
 use std::io::{self, BufRead, Read, Seek};
-use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use ::flatgeobuf::geozero::FeatureProperties as _;
 use ::flatgeobuf::packed_r_tree::PackedRTree;
@@ -10,6 +9,7 @@ use ::flatgeobuf::{
 };
 
 use super::collector::Collector;
+use super::quiet::quiet;
 use super::{FileCrs, MapFile};
 use crate::row::Row;
 
@@ -19,8 +19,7 @@ use crate::row::Row;
 /// The file does not begin as FlatGeobuf does.
 pub fn read(mut input: impl BufRead + Seek + 'static) -> Result<MapFile, String> {
     // The library takes memory for the length that a damaged feature says, up to 4 GB.
-    let (whole, is_cut) = catch_unwind(AssertUnwindSafe(|| whole_features(&mut input)))
-        .unwrap_or_else(|_| Err("it is damaged".to_owned()))?;
+    let (whole, is_cut) = quiet(|| whole_features(&mut input)).unwrap_or_else(|| Err("it is damaged".to_owned()))?;
     input.rewind().map_err(|why| why.to_string())?;
     let reader = FgbReader::open(input).map_err(not_flatgeobuf)?;
     let crs = match reader.header().crs() {
@@ -30,9 +29,10 @@ pub fn read(mut input: impl BufRead + Seek + 'static) -> Result<MapFile, String>
         Some(crs) => FileCrs::Unknown(crs.name().or(crs.wkt()).unwrap_or("without a name").to_owned()),
         None => FileCrs::None,
     };
+    let columns = reader.header().columns().into_iter().flatten().map(|column| column.name().to_owned()).collect();
     let features = reader.select_all_seq().map_err(|why| format!("it cannot be read: {why}"))?;
     let count = features.features_count().map(|count| count as u64);
-    Ok(MapFile::new(Rows { features, number: 0, count, whole, is_cut, is_over: false }, crs))
+    Ok(MapFile::new(Rows { features, number: 0, count, whole, is_cut, is_over: false }, crs, Some(columns)))
 }
 
 fn not_flatgeobuf(why: ::flatgeobuf::Error) -> String {
@@ -75,11 +75,12 @@ fn row(number: u64, feature: &FgbFeature) -> Row {
     if let Err(why) = feature.process_properties(&mut collector) {
         outlines = Err(format!("its columns cannot be read: {why}"));
     }
-    Row { columns: collector.columns, ..Row::new(number, outlines) }
+    Row { columns: collector.columns, notes: collector.notes, ..Row::new(number, outlines) }
 }
 
 struct Rows<R> {
     features: FeatureIter<R, NotSeekable>,
+    /// The number of rows so far.
     number: u64,
     /// The number of features that the file announces.
     count: Option<u64>,
@@ -96,7 +97,7 @@ impl<R: Read> Rows<R> {
         self.is_over = true;
         let announced = self.count.map_or(String::new(), |count| format!(" of {count} features"));
         let why = format!("the file ends after {}{announced}: {why}", self.number);
-        Some(Row::new(self.number, Err(why)))
+        Some(Row::damaged_end(self.number + 1, why))
     }
 }
 
@@ -113,10 +114,9 @@ impl<R: Read> Iterator for Rows<R> {
         match self.features.next() {
             Ok(Some(feature)) => {
                 // The library panics where lengths in a feature are wrong.
-                let row = catch_unwind(AssertUnwindSafe(|| row(self.number, feature)));
-                let row = row.unwrap_or_else(|_| Row::new(self.number, Err("it is damaged".to_owned())));
                 self.number += 1;
-                Some(row)
+                let row = quiet(|| row(self.number, feature));
+                Some(row.unwrap_or_else(|| Row::new(self.number, Err("it is damaged".to_owned()))))
             }
             Ok(None) => {
                 self.is_over = true;

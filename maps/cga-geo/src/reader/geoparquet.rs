@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use geozero::wkb::process_wkb_geom;
+use parquet::basic::ConvertedType;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::reader::RowIter;
 use parquet::record::{Field, Row as Record};
@@ -36,6 +37,9 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
         return Err(format!("its geometries are encoded as {encoding}; write them as WKB"));
     }
     let schema = metadata.schema();
+    let mut known = Vec::new();
+    let others = schema.get_fields().iter().filter(|field| field.name() != geometry);
+    others.for_each(|field| add_names(&mut known, String::new(), field));
     let wanted = |name: &str| {
         name == geometry || columns.iter().any(|column| column == name || column.starts_with(&format!("{name}.")))
     };
@@ -48,7 +52,18 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     let crs = crs(about);
     let count = u64::try_from(metadata.num_rows()).unwrap_or_default();
     let rows = RowIter::from_file_into(Box::new(reader)).project(Some(projection)).map_err(|why| why.to_string())?;
-    Ok(MapFile::new(Rows { rows, geometry: geometry.into(), number: 0, count, is_over: false }, crs))
+    Ok(MapFile::new(Rows { rows, geometry: geometry.into(), number: 0, count, is_over: false }, crs, Some(known)))
+}
+
+/// Adds the names of the columns of a field. The members of a group have names with dots.
+fn add_names(names: &mut Vec<String>, outer: String, field: &Type) {
+    let name = outer + field.name();
+    let is_list = field.get_basic_info().converted_type() != ConvertedType::NONE;
+    if field.is_group() && !is_list {
+        field.get_fields().iter().for_each(|inner| add_names(names, format!("{name}."), inner));
+    } else {
+        names.push(name);
+    }
 }
 
 /// The coordinate system of a geometry column, in PROJJSON. Without one it is longitude and latitude.
@@ -67,6 +82,7 @@ fn crs(about: &Json) -> FileCrs {
 struct Rows {
     rows: RowIter<'static>,
     geometry: Arc<str>,
+    /// The number of rows so far.
     number: u64,
     /// The number of rows that the file announces.
     count: u64,
@@ -80,37 +96,37 @@ impl Iterator for Rows {
         if self.is_over || self.count <= self.number {
             return None;
         }
-        let number = self.number;
+        let before = self.number;
         self.number += 1;
         match self.rows.next() {
-            Some(Ok(record)) => Some(row(number, &self.geometry, record)),
-            Some(Err(why)) => Some(self.end(number, &why.to_string())),
-            None => Some(self.end(number, "further rows are missing")),
+            Some(Ok(record)) => Some(row(self.number, &self.geometry, record)),
+            Some(Err(why)) => Some(self.end(before, &why.to_string())),
+            None => Some(self.end(before, "further rows are missing")),
         }
     }
 }
 
 impl Rows {
     /// The last row, which says why the file ends early.
-    fn end(&mut self, number: u64, why: &str) -> Row {
+    fn end(&mut self, before: u64, why: &str) -> Row {
         self.is_over = true;
-        Row::new(number, Err(format!("the file ends after {number} of {} rows: {why}", self.count)))
+        Row::damaged_end(before + 1, format!("the file ends after {before} of {} rows: {why}", self.count))
     }
 }
 
 fn row(number: u64, geometry: &str, record: Record) -> Row {
-    let (mut outlines, mut columns) = (Err("it has no geometry".to_owned()), Vec::new());
+    let (mut outlines, mut columns, mut notes) = (Err("it has no geometry".to_owned()), Vec::new(), Vec::new());
     for (name, field) in record.into_columns() {
         if name == geometry {
-            outlines = polygons(&field);
+            outlines = polygons(&field, &mut notes);
         } else {
             add(&mut columns, name, field);
         }
     }
-    Row { columns, ..Row::new(number, outlines) }
+    Row { columns, notes, ..Row::new(number, outlines) }
 }
 
-fn polygons(field: &Field) -> Result<Vec<Outline>, String> {
+fn polygons(field: &Field, notes: &mut Vec<String>) -> Result<Vec<Outline>, String> {
     let bytes = match field {
         Field::Bytes(bytes) => bytes.data(),
         Field::Null => return Err("it has no geometry".to_owned()),
@@ -118,7 +134,9 @@ fn polygons(field: &Field) -> Result<Vec<Outline>, String> {
     };
     let mut collector = Collector::default();
     let read = process_wkb_geom(&mut &*bytes, &mut collector);
-    collector.outlines(read)
+    let outlines = collector.outlines(read);
+    notes.append(&mut collector.notes);
+    outlines
 }
 
 /// Adds the value of a column; the members of a group have names with dots.

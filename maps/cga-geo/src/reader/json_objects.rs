@@ -5,7 +5,7 @@
 use std::io::{BufRead, ErrorKind};
 
 /// The most bytes of one object.
-const MOST_BYTES: usize = 256 << 20;
+pub(super) const MOST_BYTES: usize = 256 << 20;
 
 /// An element of the list `features`, or an object outside of such a list.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -14,8 +14,10 @@ pub(super) enum Part {
     Head(Vec<u8>),
     /// The text of an object.
     Object(Vec<u8>),
-    /// The reason why an element is not an object, or why the file ends.
+    /// The reason why an element is not an object. Others may follow.
     Broken(String),
+    /// The reason why the text ends here.
+    End(String),
 }
 
 /// The objects of a text.
@@ -25,13 +27,22 @@ pub(super) struct JsonObjects<R> {
     text: Vec<u8>,
     /// True inside of the list `features`.
     is_list: bool,
-    /// True after the end of the file or a reason to stop.
+    /// True after the first part.
+    is_begun: bool,
+    /// True after the end of the text or a reason to stop.
     is_over: bool,
+    /// The name of the text in reasons: a file or a line.
+    kind: &'static str,
 }
 
 impl<R: BufRead> JsonObjects<R> {
     pub(super) fn new(input: R) -> Self {
-        JsonObjects { input, text: Vec::new(), is_list: false, is_over: false }
+        JsonObjects { input, text: Vec::new(), is_list: false, is_begun: false, is_over: false, kind: "file" }
+    }
+
+    /// The objects of a line.
+    pub(super) fn of_line(input: R) -> Self {
+        JsonObjects { kind: "line", ..JsonObjects::new(input) }
     }
 
     fn byte(&mut self) -> Result<Option<u8>, String> {
@@ -63,7 +74,7 @@ impl<R: BufRead> JsonObjects<R> {
     fn object(&mut self) -> Result<bool, String> {
         let (mut depth, mut in_text, mut escaped, mut name_begins, mut key) = (1usize, false, false, 0, Vec::new());
         loop {
-            let byte = self.byte()?.ok_or("the file ends inside of this object")?;
+            let byte = self.byte()?.ok_or_else(|| format!("the {} ends inside of this object", self.kind))?;
             if MOST_BYTES <= self.text.len() {
                 return Err(format!("an object has more than {} MB", MOST_BYTES >> 20));
             }
@@ -102,7 +113,7 @@ impl<R: BufRead> JsonObjects<R> {
         let (mut depth, mut in_text, mut escaped) = (usize::from(first == b'['), first == b'"', false);
         loop {
             let at_end = match self.input.fill_buf().map_err(|why| why.to_string())?.first() {
-                None => return Err("the file ends inside of its list of features".to_owned()),
+                None => return Err(self.ends_in_list()),
                 Some(_) if in_text => false,
                 Some(b',') => depth == 0,
                 Some(b']' | b'}') if depth == 0 => true,
@@ -133,7 +144,7 @@ impl<R: BufRead> JsonObjects<R> {
             first = self.begin()?;
         }
         match first {
-            None if self.is_list => Err("the file ends inside of its list of features".to_owned()),
+            None if self.is_list => Err(self.ends_in_list()),
             None => Ok(None),
             Some(b'{') => {
                 self.text.clear();
@@ -151,8 +162,13 @@ impl<R: BufRead> JsonObjects<R> {
                 self.skip(first)?;
                 Ok(Some(Part::Broken("it is not an object".to_owned())))
             }
-            Some(_) => Err("the file is not GeoJSON: it does not begin with `{`".to_owned()),
+            Some(_) if self.is_begun => Err("the text after this place is not an object of JSON".to_owned()),
+            Some(_) => Err(format!("the {} is not GeoJSON: it does not begin with `{{`", self.kind)),
         }
+    }
+
+    fn ends_in_list(&self) -> String {
+        format!("the {} ends inside of its list of features", self.kind)
     }
 }
 
@@ -166,11 +182,12 @@ impl<R: BufRead> Iterator for JsonObjects<R> {
         match self.part() {
             Ok(part) => {
                 self.is_over |= part.is_none();
+                self.is_begun = true;
                 part
             }
             Err(why) => {
                 self.is_over = true;
-                Some(Part::Broken(why))
+                Some(Part::End(why))
             }
         }
     }
@@ -185,6 +202,7 @@ mod tests {
             Part::Head(text) => format!("head {}", String::from_utf8_lossy(&text)),
             Part::Object(text) => String::from_utf8_lossy(&text).into_owned(),
             Part::Broken(why) => format!("broken: {why}"),
+            Part::End(why) => format!("end: {why}"),
         };
         JsonObjects::new(text.as_bytes()).map(shown).collect()
     }
@@ -214,7 +232,7 @@ mod tests {
         let (head, one) = ("head {\"features\": []}", "{\"a\": 1}");
         assert_eq!(parts(&format!("{one}{collection}\n{collection}{one}")), [one, head, one, head, one, one]);
         assert_eq!(parts("{\"features\": [{\"a\": 1}], \"features\": [{\"a\": 1}]}"), [head, one, one]);
-        assert_eq!(parts("{\"features\": [] ").last().unwrap(), "broken: the file ends inside of this object");
+        assert_eq!(parts("{\"features\": [] ").last().unwrap(), "end: the file ends inside of this object");
         assert_eq!(parts(&format!("{{{}\"b\": 1}}", "\"features\": [],".repeat(50_000))), [head]);
     }
 
@@ -222,9 +240,10 @@ mod tests {
     fn a_file_that_ends_early_ends_with_a_reason() {
         assert_eq!(
             parts("{\"features\": [{\"a\": 1}").last().unwrap(),
-            "broken: the file ends inside of its list of features"
+            "end: the file ends inside of its list of features"
         );
-        assert_eq!(parts("{\"features\": [{\"a\": 1").last().unwrap(), "broken: the file ends inside of this object");
-        assert_eq!(parts("hello"), ["broken: the file is not GeoJSON: it does not begin with `{`"]);
+        assert_eq!(parts("{\"features\": [{\"a\": 1").last().unwrap(), "end: the file ends inside of this object");
+        assert_eq!(parts("hello"), ["end: the file is not GeoJSON: it does not begin with `{`"]);
+        assert_eq!(parts("{} hello").last().unwrap(), "end: the text after this place is not an object of JSON");
     }
 }

@@ -1,6 +1,7 @@
 //! Readers of map files: one row after another, in the order of the file and with little memory.
 //!
-//! A row that cannot be read is a row with a reason. A damaged file ends with such a row, so none is lost silently.
+//! Rows count from 1. A row that cannot be read is a row with a reason. A damaged file ends with such a row, so none is lost silently:
+//! [`Row::is_damaged_end`].
 
 #[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
 mod collector;
@@ -12,12 +13,15 @@ pub mod geojson;
 pub mod geoparquet;
 #[cfg(feature = "geojson")]
 mod json_objects;
+#[cfg(feature = "geojson")]
+mod json_records;
+mod quiet;
 #[cfg(feature = "shapefile")]
 pub mod shapefile;
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
+use self::quiet::quiet;
 use crate::row::Row;
 
 /// The rows of a file.
@@ -26,12 +30,14 @@ pub struct MapFile {
     pub rows: Box<dyn Iterator<Item = Row>>,
     /// The coordinate system that the file names.
     pub crs: FileCrs,
+    /// The names of all columns without the geometry; `None` for GeoJSON, whose rows may all have other ones.
+    pub columns: Option<Vec<String>>,
 }
 
 impl MapFile {
     /// A file whose rows end with a reason if the library of its format panics, as some do for damaged files.
-    fn new(rows: impl Iterator<Item = Row> + 'static, crs: FileCrs) -> Self {
-        MapFile { rows: Box::new(Guarded { rows, number: 0, is_over: false }), crs }
+    fn new(rows: impl Iterator<Item = Row> + 'static, crs: FileCrs, columns: Option<Vec<String>>) -> Self {
+        MapFile { rows: Box::new(Guarded { rows, number: 1, is_over: false }), crs, columns }
     }
 }
 
@@ -50,9 +56,9 @@ impl<I: Iterator<Item = Row>> Iterator for Guarded<I> {
         if self.is_over {
             return None;
         }
-        let row = catch_unwind(AssertUnwindSafe(|| self.rows.next())).unwrap_or_else(|_| {
+        let row = quiet(|| self.rows.next()).unwrap_or_else(|| {
             self.is_over = true;
-            Some(Row::new(self.number, Err("the file is damaged, and ends here".to_owned())))
+            Some(Row::damaged_end(self.number, "the file is damaged, and ends here".to_owned()))
         })?;
         self.number = row.number + 1;
         Some(row)
@@ -78,11 +84,17 @@ pub const ENDINGS: &str = ".geojson, .json, .geojsonl, .fgb, .shp and .parquet";
 /// # Errors
 /// A sentence: the ending is another one, or the file cannot be read.
 pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
+    quiet(|| open_unguarded(path, columns)).unwrap_or_else(|| Err("it is damaged".to_owned()))
+}
+
+fn open_unguarded(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     let _ = columns;
     let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
     match ending.as_str() {
         #[cfg(feature = "geojson")]
-        "geojson" | "json" | "geojsonl" | "geojsons" | "ndjson" => geojson::read(file(path)?),
+        "geojson" | "json" => geojson::read(file(path)?),
+        #[cfg(feature = "geojson")]
+        "geojsonl" | "geojsons" | "ndjson" => geojson::read_lines(file(path)?),
         #[cfg(feature = "flatgeobuf")]
         "fgb" => flatgeobuf::read(file(path)?),
         #[cfg(feature = "shapefile")]
@@ -91,6 +103,12 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
         "parquet" | "geoparquet" => geoparquet::open(path, columns),
         _ => Err(format!("its name ends in none of {ENDINGS}")),
     }
+}
+
+/// The note about a geometry of a collection that is not a polygon.
+#[cfg(any(feature = "flatgeobuf", feature = "geoparquet", feature = "geojson"))]
+fn left_out(kind: &str) -> String {
+    format!("a {kind} of its collection was left out")
 }
 
 /// A file to read. A device may never end.

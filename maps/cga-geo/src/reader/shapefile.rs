@@ -1,7 +1,7 @@
 //! Shapefiles: `.shp` with `.shx` and `.dbf` beside it, and the encoding in `.cpg` and the coordinate system in `.prj`, if they exist.
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{self, BufReader, Read as _};
 use std::path::Path;
 
 use ::shapefile::dbase::encoding::DynEncoding;
@@ -28,18 +28,54 @@ pub fn open(path: &Path) -> Result<MapFile, String> {
             .map(|file| BufReader::with_capacity(BUFFER, file))
             .map_err(|why| format!("cannot read `{}`: {why}", path.display()))
     };
+    let index = path.with_extension("shx");
+    if let Some(why) = cut_short(&index, &mut beside("shx")?)? {
+        return Err(why);
+    }
     let shapes = ShapeReader::with_shx(beside("shp")?, beside("shx")?);
     let shapes = shapes.map_err(|why| format!("it is not a shapefile: {why}"))?;
+    let shapes_cut = cut_short(path, &mut beside("shp")?)?;
     let encoding = std::fs::read_to_string(path.with_extension("cpg")).ok();
     let encoding = encoding.and_then(|name| DynEncoding::from_name(name.trim().trim_start_matches('\u{feff}')));
     let table = match encoding {
         Some(encoding) => dbase::File::open_with_encoding(beside("dbf")?, encoding),
         None => dbase::File::open(beside("dbf")?),
     };
-    let table = table.map_err(|why| format!("`{}` is not a table: {why}", path.with_extension("dbf").display()))?;
+    let table_path = path.with_extension("dbf");
+    let table = table.map_err(|why| format!("`{}` is not a table: {}", table_path.display(), why.kind()))?;
+    let columns = table.fields().iter().map(|field| field.name().to_owned()).collect();
+    let in_table = rows_in(&mut beside("dbf")?, &table).map_err(|why| why.to_string())?.min(table.num_records());
     let crs = std::fs::read_to_string(path.with_extension("prj")).map_or(FileCrs::None, |text| crs(&text));
-    let count = shapes.shape_count().map_err(|why| why.to_string())?.max(table.num_records());
-    Ok(MapFile::new(Rows { shapes, table, count, number: 0 }, crs))
+    let in_index = shapes.shape_count().map_err(|why| why.to_string())?;
+    let end = (in_index != in_table || in_table != table.num_records()).then(|| {
+        let (name, announced) = (table_path.display(), table.num_records());
+        format!("the index has {in_index} shapes; `{name}` announces {announced} rows and has {in_table}")
+    });
+    let count = in_index.min(in_table);
+    Ok(MapFile::new(Rows { shapes, shapes_cut, table, count, number: 0, end }, crs, Some(columns)))
+}
+
+/// A sentence if a `.shp` or `.shx` file is shorter than its head says.
+fn cut_short(path: &Path, input: &mut BufReader<File>) -> Result<Option<String>, String> {
+    let unread = |why: io::Error| format!("cannot read `{}`: {why}", path.display());
+    let length = input.get_ref().metadata().map_err(unread)?.len();
+    let mut head = [0; 28];
+    input
+        .read_exact(&mut head)
+        .map_err(|_| format!("`{}` is not part of a shapefile: it is too short", path.display()))?;
+    let announced = 2 * u64::from(u32::from_be_bytes([head[24], head[25], head[26], head[27]]));
+    Ok((length < announced).then(|| format!("`{}` is cut short: it has {length} of {announced} bytes", path.display())))
+}
+
+/// The number of rows for which a table has bytes. A damaged head may announce four billion.
+fn rows_in(input: &mut BufReader<File>, table: &dbase::File<BufReader<File>>) -> io::Result<usize> {
+    let length = input.get_ref().metadata()?.len();
+    let mut head = [0; 10];
+    input.read_exact(&mut head)?;
+    let begin = u64::from(u16::from_le_bytes([head[8], head[9]]));
+    // A mark for deleted rows comes before the fields.
+    let row = 1 + table.fields().iter().map(|field| u64::from(field.length())).sum::<u64>();
+    Ok(usize::try_from(length.saturating_sub(begin) / row).unwrap_or(usize::MAX))
 }
 
 /// The coordinate system of a `.prj` file. Programs of Esri write no code.
@@ -55,9 +91,15 @@ fn crs(text: &str) -> FileCrs {
 
 struct Rows {
     shapes: ShapeReader<BufReader<File>>,
+    /// A sentence if the file of shapes is cut short.
+    shapes_cut: Option<String>,
     table: dbase::File<BufReader<File>>,
+    /// The number of rows that have a shape and a row of the table.
     count: usize,
+    /// The number of rows so far.
     number: usize,
+    /// The reason why further rows are missing.
+    end: Option<String>,
 }
 
 impl Iterator for Rows {
@@ -65,38 +107,44 @@ impl Iterator for Rows {
 
     fn next(&mut self) -> Option<Row> {
         while self.number < self.count {
-            let number = self.number;
+            let at = self.number;
             self.number += 1;
-            let record = self.record(number);
+            let record = self.record(at);
             // A deleted row is kept in the files until they are packed.
             if let Ok(None) = record {
                 continue;
             }
-            let shape = self.shapes.read_nth_shape(number);
-            let mut row = Row::new(number as u64, Ok(Vec::new()));
+            let shape = self.shapes.read_nth_shape(at);
+            let mut row = Row::new(self.number as u64, Ok(Vec::new()));
             match (shape, record) {
                 (_, Err(why)) => row.outlines = Err(why),
-                (None, _) => row.outlines = Err("the table has more rows than there are shapes".to_owned()),
-                (Some(Err(why)), Ok(columns)) => {
-                    row.columns = columns.unwrap_or_default();
-                    row.outlines = Err(format!("its shape cannot be read: {why}"));
-                }
                 (Some(Ok(shape)), Ok(columns)) => {
                     row.columns = columns.unwrap_or_default();
                     row.outlines = outlines(&shape, &mut row.notes);
                 }
+                (None | Some(Err(_)), _) if self.shapes_cut.is_some() => {
+                    let why = format!("the file ends after {at} of {} rows: {}", self.count, self.shapes_cut.take()?);
+                    (self.number, self.end) = (self.count, None);
+                    return Some(Row::damaged_end(at as u64 + 1, why));
+                }
+                (None, _) => row.outlines = Err("the index has no place of its shape".to_owned()),
+                (Some(Err(why)), Ok(columns)) => {
+                    row.columns = columns.unwrap_or_default();
+                    row.outlines = Err(format!("its shape cannot be read: {why}"));
+                }
             }
             return Some(row);
         }
-        None
+        let why = format!("the file ends after {} rows: {}", self.count, self.end.take()?);
+        Some(Row::damaged_end(self.count as u64 + 1, why))
     }
 }
 
 impl Rows {
     /// The columns of a row, by their names; `None` for a deleted row.
-    fn record(&mut self, number: usize) -> Result<Option<Vec<(String, ColumnValue)>>, String> {
-        let mut record = self.table.record(number).ok_or("the table has no row for this shape")?;
-        let unreadable = |why: dbase::Error| format!("its columns cannot be read: {why}");
+    fn record(&mut self, at: usize) -> Result<Option<Vec<(String, ColumnValue)>>, String> {
+        let mut record = self.table.record(at).ok_or("the table has no row for this shape")?;
+        let unreadable = |why: dbase::Error| format!("its columns cannot be read: {}", why.kind());
         if record.is_deleted().map_err(unreadable)? {
             return Ok(None);
         }

@@ -8,6 +8,13 @@ use crate::outline::{Corner, Outline, twice_area};
 /// The largest extent of a footprint in metres. A corner further away is a mistake of its file.
 const MOST_METRES: f64 = 20_000.0;
 
+/// The least extent of a footprint in metres. Smaller ones are degrees that are read as metres.
+const LEAST_METRES: f64 = 0.01;
+
+/// The most degrees of longitude from the middle of a zone of UTM. Whole countries are mapped in one zone, so this is more than the three
+/// degrees of a zone.
+const MOST_FROM_ZONE: f64 = 20.0;
+
 /// The latitude where the square map of tiles ends.
 const MOST_LATITUDE: f64 = 85.0;
 
@@ -19,6 +26,8 @@ pub(super) struct Checked {
     pub(super) place: Vec<Corner>,
     /// The number of holes without an area.
     pub(super) holes_lost: usize,
+    /// A sign that the coordinate system is a wrong one.
+    pub(super) note: Option<String>,
 }
 
 /// # Errors
@@ -36,12 +45,24 @@ pub(super) fn check(outline: &Outline, crs: &Crs) -> Result<Checked, String> {
     let reference = crs.degrees(first)?[0];
     let rings = own.iter().enumerate().map(|(number, ring)| Ok(wound(degrees(ring, crs, reference)?, number == 0)));
     let rings = rings.collect::<Result<Vec<_>, String>>()?;
-    extent(&rings[0])?;
+    let metres = extent(&rings[0])?;
     if let Some([longitude, latitude]) = crossing(&rings) {
         return Err(format!("its edges cross near longitude {longitude:.6}, latitude {latitude:.6}"));
     }
     let holes_lost = outline.rings.len() - own.len();
-    Ok(Checked { rings, place: own.swap_remove(0), holes_lost })
+    let note = doubt(metres, rings[0][0][0], crs);
+    Ok(Checked { rings, place: own.swap_remove(0), holes_lost, note })
+}
+
+/// A sentence if the coordinate system is probably a wrong one, by the extent of an outline in metres and its longitude.
+fn doubt(metres: f64, longitude: f64, crs: &Crs) -> Option<String> {
+    let hint = format!("is {crs} its coordinate system? `--crs` names another one");
+    if metres < LEAST_METRES {
+        return Some(format!("it is smaller than 1 cm; {hint}"));
+    }
+    let turn = longitude - crs.zone_middle()?;
+    let away = (turn - 360.0 * (turn / 360.0).round()).abs();
+    (MOST_FROM_ZONE < away).then(|| format!("it is {away:.0} degrees of longitude from the middle of its zone; {hint}"))
 }
 
 /// The corners of a ring, each once; `None` without an area.
@@ -74,8 +95,11 @@ fn degrees(ring: &[Corner], crs: &Crs, reference: f64) -> Result<Vec<Corner>, St
     ring.iter().map(corner).collect()
 }
 
-/// Checks the extent of an outline in degrees.
-fn extent(ring: &[Corner]) -> Result<(), String> {
+/// The extent of an outline in degrees, in metres.
+///
+/// # Errors
+/// The outline is too large, or too far in the north or in the south.
+fn extent(ring: &[Corner]) -> Result<f64, String> {
     let range = |axis: usize| {
         let values = ring.iter().map(|corner| corner[axis]);
         (values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max))
@@ -90,7 +114,7 @@ fn extent(ring: &[Corner]) -> Result<(), String> {
     let [a_degree_east, a_degree_north] = metres_a_degree((south + north) / 2.0);
     let metres = ((east - west) * a_degree_east).max((north - south) * a_degree_north);
     if metres <= MOST_METRES {
-        return Ok(());
+        return Ok(metres);
     }
     Err(format!("it is {:.0} km long; at most {} km are used", metres / 1e3, MOST_METRES / 1e3))
 }

@@ -11,7 +11,8 @@ use self::check::{Checked, check};
 use crate::column::ColumnValue;
 use crate::crs::Crs;
 use crate::footprint::Footprint;
-use crate::outline::{Corner, Outline};
+use crate::outline::{Corner, HEIGHTS, Outline};
+use crate::plain::plain;
 use crate::row::Row;
 use crate::terrain::Terrain;
 
@@ -31,23 +32,31 @@ pub struct Columns {
 }
 
 impl Columns {
+    /// The columns that were named by a person, so each must be in a file.
+    pub fn named(&self) -> impl Iterator<Item = &str> {
+        let given = self.attributes.iter().map(|(column, _)| column);
+        [&self.id, &self.grammar, &self.start].into_iter().flatten().chain(given).map(String::as_str)
+    }
+
     /// The names of all columns that a survey reads with some grammars.
     pub fn names(&self, grammars: &[&dyn Grammar]) -> Vec<String> {
         let attributes = grammars.iter().flat_map(|grammar| grammar.attributes());
         let by_name = attributes.map(|attribute| attribute.name.as_str().to_owned());
-        let given = self.attributes.iter().map(|(column, _)| column.clone());
-        let own = [&self.id, &self.grammar, &self.start].into_iter().flatten().cloned();
-        let mut names: Vec<String> = by_name.chain(given).chain(own).chain(["id".to_owned()]).collect();
+        let named = self.named().map(str::to_owned);
+        let mut names: Vec<String> = by_name.chain(named).chain(["id".to_owned()]).collect();
         names.sort_unstable();
         names.dedup();
         names
     }
 }
 
+/// The most characters of a value of a file in a reason.
+const MOST_SHOWN: usize = 60;
+
 /// A row, a polygon or a value that cannot be used as it is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Problem {
-    /// The number of the row in its file, from 0.
+    /// The number of the row in its file, from 1.
     pub row: u64,
     /// The id of the row; empty if it has none.
     pub id: String,
@@ -132,14 +141,14 @@ impl<'g> Surveyor<'g> {
         };
         let Some(grammar) = grammar else {
             let known: Vec<&str> = self.grammars.iter().map(|grammar| grammar.name()).collect();
-            let name = grammar_name.unwrap_or_default();
+            let name = plain(&grammar_name.unwrap_or_default(), MOST_SHOWN);
             problem(true, format!("`{name}` is not one of the grammars {}", known.join(", ")));
             return survey;
         };
         let start = text(&self.columns.start);
         if let Some(rule) = start.as_ref().filter(|rule| !grammar.start_rules().iter().any(|known| known.name.is(rule)))
         {
-            problem(true, format!("`{rule}` is not a start rule of `{}`", grammar.name()));
+            problem(true, format!("`{}` is not a start rule of `{}`", plain(rule, MOST_SHOWN), grammar.name()));
             return survey;
         }
         let values = self.values(&row, grammar, &mut |why| problem(false, why));
@@ -147,7 +156,7 @@ impl<'g> Surveyor<'g> {
         let mut footprints = Vec::new();
         for (part, outline) in outlines.iter().enumerate() {
             let label = |why: String| if count == 1 { why } else { format!("polygon {} of {count}: {why}", part + 1) };
-            let Checked { rings, place, holes_lost } = match check(outline, &self.crs) {
+            let Checked { rings, place, holes_lost, note } = match check(outline, &self.crs) {
                 Ok(checked) => checked,
                 Err(why) => {
                     problem(true, label(why));
@@ -156,6 +165,12 @@ impl<'g> Surveyor<'g> {
             };
             if 0 < holes_lost {
                 problem(false, label(format!("{holes_lost} holes without an area were left out")));
+            }
+            note.into_iter().for_each(|note| problem(false, label(note)));
+            if let Some(height) = outline.wrong_height.filter(|_| self.terrain.is_none()) {
+                let (low, high) = (HEIGHTS.start(), HEIGHTS.end());
+                let why = format!("a height of {height:e} m is left out: heights are from {low} m to {high} m");
+                problem(false, label(why));
             }
             let (base, rise) = self.ground(outline, &place, &mut |why| problem(false, label(why)));
             let mut values = values.clone();
@@ -188,7 +203,10 @@ impl<'g> Surveyor<'g> {
             let Some(value) = row.column(column) else { continue };
             match value.to_value(attribute.ty) {
                 Some(value) => values.push((name.to_owned(), ColumnValue::of_value(&value))),
-                None => problem(format!("its column `{column}` is left out: `{value}` is not {}", attribute.ty)),
+                None => {
+                    let value = plain(&value.to_string(), MOST_SHOWN);
+                    problem(format!("its column `{column}` is left out: `{value}` is not {}", attribute.ty));
+                }
             }
         }
         values

@@ -135,3 +135,44 @@ fn lots_stand_at_the_lowest_ground_of_their_corners() {
     assert!(found.problems[0].reason.contains("no height below"));
     assert_eq!(found.footprints[0].base, 0.0);
 }
+
+#[test]
+fn a_wrong_coordinate_system_is_noted() {
+    let house = House::default();
+    let notes = |crs: &str, ring: &[Corner]| {
+        let surveyor = Surveyor::new(vec![&house], Columns::default()).crs(crs.parse().expect("a code"));
+        let survey = surveyor.survey(row(vec![ring.to_vec()]));
+        assert_eq!(survey.footprints.len(), 1, "{:?}", survey.problems);
+        survey.problems.into_iter().map(|problem| problem.reason).collect::<Vec<_>>()
+    };
+    let small = notes("EPSG:25832", &SQUARE);
+    assert_eq!(small, ["it is smaller than 1 cm; is EPSG:25832 its coordinate system? `--crs` names another one"]);
+    let metres = |x: f64, y: f64| [[x, y], [x + 20.0, y], [x + 20.0, y + 10.0], [x, y + 10.0]];
+    assert_eq!(notes("EPSG:25832", &metres(500_000.0, 5_400_000.0)), [""; 0]);
+    // The north of Norway in the zone of the whole country.
+    assert_eq!(notes("EPSG:25833", &metres(1_080_000.0, 7_800_000.0)), [""; 0]);
+    // Zones of Gauss and Krüger have their number in front.
+    let far = notes("EPSG:25832", &metres(3_500_000.0, 5_400_000.0));
+    assert!(far.len() == 1 && far[0].contains("degrees of longitude from the middle of its zone"), "{far:?}");
+    assert_eq!(notes("EPSG:4326", &SQUARE), [""; 0]);
+}
+
+#[test]
+fn a_height_beyond_the_earth_is_left_out() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    let outlines = given.outlines.as_mut().expect("an outline");
+    [1e300, f64::NEG_INFINITY, 120.0, 118.0, f64::NAN].into_iter().for_each(|height| outlines[0].lower_to(height));
+    let survey = survey(given);
+    assert_eq!(survey.footprints[0].base, 118.0);
+    assert_eq!(survey.problems.len(), 1);
+    let why = "a height of 1e300 m is left out: heights are from -12000 m to 100000 m";
+    assert_eq!(survey.problems[0].reason, why);
+}
+
+#[test]
+fn values_in_reasons_are_short_and_plain() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    given.columns = vec![("height".into(), ColumnValue::Text(format!("\u{1b}{}", "9".repeat(1 << 20))))];
+    let reason = &survey(given).problems[0].reason;
+    assert!(reason.len() < 200 && !reason.contains('\u{1b}'), "{reason}");
+}

@@ -1,0 +1,80 @@
+//! Files of earlier runs that do not belong to the city.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// The folders of tiles and of blocks.
+const FOLDERS: [&str; 2] = ["tiles", "sets"];
+
+/// Deletes files of tiles and blocks of earlier runs that are not part of the city, and folders that become empty. `is_part` gets names
+/// relative to the folder of the city, with `/`. Links are not followed, and files with other names stay.
+///
+/// # Errors
+/// Errors of the file system.
+pub fn delete_others(city: &Path, is_part: &dyn Fn(&str) -> bool) -> io::Result<()> {
+    for part in FOLDERS {
+        if fs::symlink_metadata(city.join(part)).is_ok_and(|found| found.is_dir()) {
+            delete_below(&city.join(part), part, is_part)?;
+        }
+    }
+    Ok(())
+}
+
+/// Returns true if a run may write or delete a file with a name relative to the folder of the city, with `/`.
+pub fn is_of_city(name: &str) -> bool {
+    FOLDERS.iter().any(|folder| name.starts_with(&format!("{folder}/")))
+        || ["cga-city.json", "problems.jsonl", "tileset.json"].contains(&name)
+        || name.starts_with(".lots-")
+}
+
+fn delete_below(folder: &Path, name: &str, is_part: &dyn Fn(&str) -> bool) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let (path, kind) = (entry.path(), entry.file_type()?);
+        let own = entry.file_name().to_string_lossy().into_owned();
+        let name = format!("{name}/{own}");
+        if kind.is_dir() {
+            delete_below(&path, &name, is_part)?;
+            // A folder with files stays.
+            let _ = fs::remove_dir(&path);
+        } else if kind.is_file() && (own.starts_with(".part-") || is_tile_or_block(&name)) && !is_part(&name) {
+            // Also files that a killed run had begun to write.
+            fs::remove_file(&path)?;
+        }
+    }
+    Ok(())
+}
+
+/// Names such as `tiles/0/17/69000/43000.glb`, `tiles/0/28/1/2ab.json` and `sets/12/2157/1343.json`.
+fn is_tile_or_block(name: &str) -> bool {
+    let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+    let Some((path, ending)) = name.rsplit_once('.') else { return false };
+    let parts: Vec<&str> = path.split('/').collect();
+    match parts[..] {
+        ["tiles", level, zoom, column, row] => {
+            let row = row.trim_end_matches(['a', 'b']);
+            ["glb", "json"].contains(&ending) && [level, zoom, column, row].into_iter().all(is_number)
+        }
+        ["sets", zoom, column, row] => ending == "json" && [zoom, column, row].into_iter().all(is_number),
+        _ => false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_tiles_and_blocks_are_known() {
+        for name in ["tiles/0/17/69000/43000.glb", "tiles/12/28/1/2ab.json", "sets/12/2157/1343.json"] {
+            assert!(is_tile_or_block(name) && is_of_city(name), "{name}");
+        }
+        for name in
+            ["tiles/lots.json", "tiles/0/17/house.glb", "tiles/0/1/2/3.txt", "sets/0/1/2/3.json", "tiles/0/1/2/a.glb"]
+        {
+            assert!(!is_tile_or_block(name), "{name}");
+        }
+        assert!(is_of_city("tileset.json") && !is_of_city("town.cga") && !is_of_city("tiles.json"));
+    }
+}
