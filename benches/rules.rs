@@ -93,7 +93,8 @@ fn gallery<'a>(scenes: &'a [scenes::Scene]) -> Vec<Subject<'a>> {
             let mut sessions: BTreeMap<&str, Box<dyn DynSession + '_>> = BTreeMap::new();
             for placed in shapes {
                 let session = sessions.entry(placed.rule).or_insert_with(|| {
-                    let settings = Settings { start: Some(placed.rule.to_owned()), ..Settings::default() };
+                    let (start, assets) = (Some(placed.rule.to_owned()), scenes::materials::single_pixels());
+                    let settings = Settings { start, assets, ..Settings::default() };
                     grammar.session(&settings).expect("the attributes are in their ranges")
                 });
                 session.run(&placed.shape, sink).expect("no limit is reached");

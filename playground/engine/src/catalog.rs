@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::entry::CatalogEntry;
 use crate::examples;
 use crate::inline::rules_of;
-use crate::scenes::{Scene, layouts};
+use crate::scenes::{Scene, layouts, materials};
 
 static ENTRIES: LazyLock<Vec<CatalogEntry>> =
     LazyLock::new(|| layouts().into_iter().map(scene_entry).chain(examples::entries()).collect());
@@ -28,7 +28,7 @@ fn scene_entry(scene: Scene<()>) -> CatalogEntry {
     let rules = scene.rules.split_once("pub grammar ").and_then(|(_, rest)| rest.split_once(';'));
     let name = rules.map(|(name, _)| name.to_owned()).unwrap_or_default();
     let rules = rules_of(&source, &name).unwrap_or_default();
-    CatalogEntry::new(Scene { rules, ..scene }, name.leak())
+    CatalogEntry::new(Scene { rules, ..scene }, name.leak()).with_assets(materials::assets)
 }
 
 /// The grammars as a JSON list: names, texts, seeds and views. A run returns the attributes.
