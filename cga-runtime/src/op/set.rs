@@ -6,9 +6,10 @@ use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::geometry::rotation::turn;
 use crate::material::list::{each_material_number, each_material_text};
-use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
+use crate::material::{Channel, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 use crate::query::get;
 use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;
@@ -98,12 +99,18 @@ macro_rules! material_texts {
 each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
+/// Changes the material that rules set, and counts the new one.
+pub(crate) fn change_material(env: &mut Env, shape: &mut Shape, change: impl FnOnce(&mut Material)) {
+    shape.change_material(change);
+    let _: Flow = env.count_look(shape.material());
+}
+
 pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialNumber, value: f64) {
     let value = env.finite(value, "the material's value");
     // Setting one channel keeps the other two at their visible values.
     let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
     let own = if seen { shape.own_material().and_then(|own| own.color) } else { None };
-    shape.change_material(|material| {
+    change_material(env, shape, |material| {
         material.color = material.color.or(own);
         material.set_number(which, value);
     });
@@ -112,7 +119,7 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialN
 pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
         let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
-        shape.change_material(|material| material.set_text(which, value));
+        change_material(env, shape, |material| material.set_text(which, value));
     } else {
         env.fault(
             FaultKind::Value,
@@ -127,8 +134,8 @@ pub fn material_color_rgb(env: &mut Env, shape: &mut Shape, value: Text) {
 }
 
 /// `material.doubleSided` (*material attribute*).
-pub fn material_double_sided(_: &mut Env, shape: &mut Shape, value: bool) {
-    shape.change_material(|material| material.double_sided = Some(value));
+pub fn material_double_sided(env: &mut Env, shape: &mut Shape, value: bool) {
+    change_material(env, shape, |material| material.double_sided = Some(value));
 }
 
 /// `trim.vertical`, for this shape and its descendants (*trim attribute*).

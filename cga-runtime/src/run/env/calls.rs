@@ -1,6 +1,6 @@
 //! The calls of functions of the rules.
 
-use super::{ENDED, Env};
+use super::Env;
 use crate::fault::{Error, LimitKind};
 use crate::geometry::work;
 use crate::run::sink::Flow;
@@ -52,7 +52,7 @@ impl Env {
         let first = self.calls.open.iter().rposition(|open| open == name).unwrap_or(0);
         let names = self.calls.open[first..].to_vec();
         self.error.get_or_insert(Error::Cycle { names });
-        self.shapes = ENDED;
+        self.end();
     }
 
     /// Leaves a function that has reserved `stack` bytes.
