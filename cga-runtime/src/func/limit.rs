@@ -108,10 +108,11 @@ mod tests {
 
     #[test]
     fn long_values_count_for_the_limit_of_bytes() {
-        let bytes = 1_000_000;
+        let bytes = 1_000_000 + Limits::BYTES_A_SHAPE;
         let most = |make: fn(&mut Env) -> bool| {
             let settings = Settings { limits: Limits { bytes, ..Limits::default() }, ..Settings::default() };
             let env = &mut Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+            env.shapes = 1;
             let made = (0..10_000).take_while(|_| make(env)).count();
             assert!(made == 10_000 || limit(env) == Some(LimitKind::Bytes));
             made as u64

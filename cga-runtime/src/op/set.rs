@@ -228,8 +228,28 @@ mod tests {
     use super::*;
     use crate::op::Length::Absolute;
     use crate::op::{rotate, translate};
-    use crate::run::settings::Settings;
+    use crate::run::settings::{Limits, Settings};
     use crate::shape::Shape;
+
+    #[test]
+    fn materials_that_rules_make_count_for_the_limit_of_bytes() {
+        let room = 1_000_000;
+        let made = |name: &str| {
+            let limits = Limits { bytes: room + Limits::BYTES_A_SHAPE, ..Limits::default() };
+            let settings = Settings { limits, ..Settings::default() };
+            let (mut shape, mut count) = (Shape::cuboid(1.0, 1.0, 1.0), 0u32);
+            let env = &mut Env::with_names(&settings, &["Lot"], &shape, "Lot");
+            shape.change_material(|material| material.name = Some(name.into()));
+            env.shapes = 1;
+            while !env.ended() {
+                material_opacity(env, &mut shape, 1.0 / f64::from(count));
+                count += 1;
+            }
+            u64::from(count) - 1
+        };
+        assert_eq!(made(""), room / Limits::BYTES_A_LOOK);
+        assert_eq!(made(&"n".repeat(5000)), room / (Limits::BYTES_A_LOOK + 5000));
+    }
 
     #[test]
     fn every_material_attribute_reads_its_default_then_what_was_set() {

@@ -447,7 +447,6 @@ fn a_run_that_has_ended_reads_no_mesh() {
             geometry_has_uv_set(env, shape, 0.0),
             geometry_is_closed_surface(shape),
             geometry_is_oriented(env, shape, Word::Side),
-            geometry_has_tags(shape),
             !geometry_materials(shape).is_empty(),
         ];
         (numbers.map(|number| number != 0.0), truths)
@@ -455,9 +454,9 @@ fn a_run_that_has_ended_reads_no_mesh() {
     let env = &mut Env::for_tests();
     let mut shape = Shape::cuboid(2.0, 2.0, 2.0);
     op::sphere_sides(env, &mut shape, 8.0, 4.0);
-    assert_eq!(answers(&shape, env), ([true; 8], [true; 6]));
+    assert_eq!(answers(&shape, env), ([true; 8], [true; 5]));
     let base = env.base(shape.clone());
     assert!(env.limit::<()>(crate::fault::LimitKind::Shapes, 1).is_break());
-    assert_eq!(answers(&shape, env), ([false; 8], [false; 6]));
+    assert_eq!(answers(&shape, env), ([false; 8], [false; 5]));
     assert!(matches!(env.whole(&base.shape()).geometry, Geometry::Empty));
 }

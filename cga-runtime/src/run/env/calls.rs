@@ -46,6 +46,12 @@ impl Env {
         may
     }
 
+    /// Counts the work of a function that reads a text or an array of a size. Returns false if the run has ended.
+    #[inline]
+    pub fn may_read(&mut self, size: usize) -> bool {
+        (work::spend(size) || self.spend(0).is_continue()) && !self.ended()
+    }
+
     /// Ends the run because a lazy attribute or constant needs its own value.
     #[cold]
     pub(crate) fn close_cycle(&mut self, name: &Text) {
