@@ -136,6 +136,13 @@ pub(crate) struct SourceFile {
     calls: Vec<(Name, Vec<Override>)>,
 }
 
+impl SourceFile {
+    /// The number of declarations and styles: the size of an instance.
+    fn declared(&self) -> usize {
+        self.ast.decls.len() + self.ast.styles.len()
+    }
+}
+
 /// A file with the style in force, at one import site.
 pub(crate) struct Instance {
     pub(crate) file: Rc<SourceFile>,
@@ -295,7 +302,7 @@ impl Link<'_> {
     ) -> InstanceId {
         self.under_way.push(file.number);
         let id = self.program.instances.len();
-        self.declared += file.ast.decls.len();
+        self.declared += file.declared();
         let styles = Styles::new(&file.ast, style, self.diags);
         let root_style = parent.map_or(style, |parent| self.program.instances[parent].root_style);
         self.program.instances.push(Instance {
@@ -341,7 +348,7 @@ impl Link<'_> {
         } else if MOST_NESTED <= self.under_way.len() {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
-        } else if MOST_DECLARATIONS < self.declared + file.ast.decls.len() {
+        } else if MOST_DECLARATIONS < self.declared + file.declared() {
             format!("styles and imports multiply these rules to more than {MOST_DECLARATIONS} declarations")
         } else {
             return false;
