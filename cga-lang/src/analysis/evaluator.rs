@@ -233,7 +233,9 @@ impl<'f> Evaluator<'f> {
                 self.both(*op, left, right, facts, depth)
             }
             ExprKind::Binary(op, _, left, right) => Value::binary(*op, value(left), value(right)),
-            ExprKind::Chain(first, links) if matches!(links.first(), Some(Link { op: Binary::And | Binary::Or, .. })) => {
+            ExprKind::Chain(first, links)
+                if matches!(links.first(), Some(Link { op: Binary::And | Binary::Or, .. })) =>
+            {
                 self.all(first, links, facts, depth)
             }
             ExprKind::Chain(first, links) => {

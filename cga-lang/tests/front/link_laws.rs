@@ -266,6 +266,13 @@ fn many_styles_have_few_instances() {
     assert_eq!(found, ["styles and imports multiply these rules to more than 250000 declarations"]);
 }
 
+/// A megabyte of `@` took 700 MB.
+#[test]
+fn signs_of_annotations_in_a_row_are_reported_twice() {
+    let mut disk = disk_of([("a.cga".into(), format!("{}\nLot --> X.", "@".repeat(1000)))]);
+    assert_eq!(count_of(&disk.compile("a.cga"), Code::Syntax), 2);
+}
+
 #[test]
 fn chains_and_rings_of_files_and_styles_end() {
     for count in [2, 10, 150] {

@@ -47,7 +47,8 @@ pub fn geometry_has_uvs(_: &mut Env, shape: &Shape) -> bool {
 
 /// `geometry.hasUVs(uvSet)`: true if there are coordinates in a set.
 pub fn geometry_has_uv_set(env: &mut Env, shape: &Shape, set: f64) -> bool {
-    env.uv_set(set, "geometry.hasUVs").is_some_and(|set| mesh(shape).is_some_and(|mesh| !mesh.uv_set(usize::from(set)).is_empty()))
+    env.uv_set(set, "geometry.hasUVs")
+        .is_some_and(|set| mesh(shape).is_some_and(|mesh| !mesh.uv_set(usize::from(set)).is_empty()))
 }
 
 fn range(env: &mut Env, shape: &Shape, set: f64, what: &str) -> [DVec2; 2] {

@@ -151,6 +151,10 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
 }
 
 fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
+    // Steps on slim shapes do not ask.
+    if env.ask().is_break() {
+        return;
+    }
     if let Some(wire) = shape.to_wire() {
         return extrude_edges(env, shape, &wire, how, distance);
     }
