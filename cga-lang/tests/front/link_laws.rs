@@ -266,6 +266,18 @@ fn many_styles_have_few_instances() {
     assert_eq!(found, ["styles and imports multiply these rules to more than 250000 declarations"]);
 }
 
+/// Each of them may have a megabyte.
+#[test]
+fn files_have_a_limit_in_all() {
+    let long = |number: usize| (format!("f{number}.cga"), "(".repeat(900_000));
+    let imports: String = (0..9).map(|number| format!("import i{number} : \"f{number}.cga\"\n")).collect();
+    let mut disk = disk_of((0..9).map(long).chain([("a.cga".into(), format!("{imports} Lot --> X."))]));
+    let compiled = disk.compile("a.cga");
+    let found = |message: &str| compiled.diags.iter().filter(|diag| diag.message.to_string() == message).count();
+    assert_eq!(found("more than 2000000 tokens in all files"), 1);
+    assert!(disk.opened < 5, "{} files are read", disk.opened);
+}
+
 /// A megabyte of `@` took 700 MB.
 #[test]
 fn signs_of_annotations_in_a_row_are_reported_twice() {

@@ -226,6 +226,16 @@ mod tests {
     const ALL: [ExtrudeAlong; 4] =
         [ExtrudeAlong::FaceNormal, ExtrudeAlong::VertexNormal, ExtrudeAlong::WorldUp, ExtrudeAlong::WorldUpFlatTop];
 
+    #[test]
+    fn a_run_that_has_ended_extrudes_no_mesh() {
+        let (env, mut shape) = (&mut Env::for_tests(), slope());
+        assert!(env.limit::<()>(crate::fault::LimitKind::Shapes, 1).is_break());
+        let before = shape.to_mesh();
+        extrude(env, &mut shape, Length::Absolute(1.0));
+        extrude_axis(env, &mut shape, ExtrudeAxis::X, Length::Absolute(1.0));
+        assert_eq!(before.points(), shape.to_mesh().points());
+    }
+
     /// A lot on a slope, from 0 to 3 metres high, 4 by 5 metres as seen from above.
     fn slope() -> Shape {
         let corners = [[0.0, 0.0, 5.0], [4.0, 0.0, 5.0], [4.0, 3.0, 0.0], [0.0, 3.0, 0.0]].map(DVec3::from_array);
