@@ -30,6 +30,17 @@ impl Object {
         }
     }
 
+    /// The bytes of a text, or the elements of an array.
+    pub(crate) fn size(&self) -> usize {
+        match self {
+            Object::Text(text) => text.len(),
+            Object::Floats(array) => array.len(),
+            Object::Bools(array) => array.len(),
+            Object::Texts(array) => array.len(),
+            Object::File(_) | Object::Files(_) => 0,
+        }
+    }
+
     /// The value as the runtime has it. A file has none.
     pub(crate) fn into_value(self) -> Option<Value> {
         Some(match self {

@@ -86,6 +86,24 @@ fn rules_that_only_measure_are_stopped() {
     }
 }
 
+/// Nested calls hold their arguments.
+#[test]
+fn long_texts_of_nested_calls_have_a_limit_in_all() {
+    let rules = cga! {
+        Lot --> Longer("x", 0)
+        Longer(text, n) --> case n < 16 : Longer(text + text, n + 1) else : Held(text, 0)
+        Held(text, n) --> case n < 300 : [ Held(text + n, n + 1) ] Told(text) else : X.
+        Told(text) --> case text == "" : Y. else : X.
+    };
+    let run = |bytes: u64| {
+        let limits = cga::Limits { bytes, ..cga::Limits::default() };
+        rules.generate_with(&Shape::rectangle(1.0, 1.0), &Settings { limits, ..Settings::default() })
+    };
+    assert!(run(30_000_000).is_ok());
+    let error = run(10_000_000).expect_err("20 MB of texts");
+    assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{error}");
+}
+
 /// A run in a sink of a run that was stopped has its own watch, or none.
 #[test]
 fn a_run_within_a_run_that_was_stopped_goes_on() {

@@ -81,6 +81,9 @@ impl Values {
     ) -> ControlFlow<(), ShapeRef<'b>> {
         let mut whole = cx.env.whole(shape);
         for step in steps {
+            if cx.env.ended() {
+                return ControlFlow::Break(());
+            }
             self.change(cx.env, &mut whole, base, step, frame)?;
         }
         ControlFlow::Continue(bases.keep(cx.env.base(whole)).shape())

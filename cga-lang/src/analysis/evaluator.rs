@@ -9,7 +9,7 @@ use crate::link::InstanceId;
 use crate::ops::{AttrValues, Meaning};
 use crate::resolve::globals::{Declared, Globals, Initializer};
 use crate::resolve::tables::{Tables, Use};
-use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Name, Unary};
+use crate::syntax::ast::{Binary, Decl, Expr, ExprKind, Link, Name, Unary};
 use crate::syntax::token::Tok;
 use std::cell::Cell;
 use std::collections::{HashMap, HashSet};
@@ -233,6 +233,11 @@ impl<'f> Evaluator<'f> {
                 self.both(*op, left, right, facts, depth)
             }
             ExprKind::Binary(op, _, left, right) => Value::binary(*op, value(left), value(right)),
+            ExprKind::Chain(first, links)
+                if matches!(links.first(), Some(Link { op: Binary::And | Binary::Or, .. })) =>
+            {
+                self.all(first, links, facts, depth)
+            }
             ExprKind::Chain(first, links) => {
                 links.iter().fold(value(first), |all, link| Value::binary(link.op, all, value(&link.operand)))
             }
@@ -254,6 +259,24 @@ impl<'f> Evaluator<'f> {
             Some(facts) => Value::binary(op, left_is, self.within(right, &facts, depth)),
             None => Value::Truth(Some(!goes_on)),
         }
+    }
+
+    /// A chain of `&&` or `||`, as [`both`](Evaluator::both) of all before each operand.
+    fn all(&self, first: &Expr, links: &[Link], facts: &AbstractState, depth: u32) -> Value {
+        let (mut all, mut facts, mut last) = (self.within(first, facts, depth), facts.clone(), first);
+        for Link { op, operand, .. } in links {
+            let goes_on = *op == Binary::And;
+            if all.truth() == Some(!goes_on) {
+                break;
+            }
+            match self.refine(last, goes_on, facts, depth) {
+                Some(refined) => facts = refined,
+                None => return Value::Truth(Some(!goes_on)),
+            }
+            all = Value::binary(*op, all, self.within(operand, &facts, depth));
+            last = operand;
+        }
+        all
     }
 
     fn case(&self, arms: &[(Expr, Expr)], otherwise: &Expr, facts: &AbstractState, depth: u32) -> Value {

@@ -37,6 +37,9 @@ const MOST_INSTANCES: usize = 1000;
 /// The maximum number of declarations in all instances. Each declaration is checked and lowered once per instance.
 const MOST_DECLARATIONS: usize = 250_000;
 
+/// The number of tokens of a program after which it imports no more files. Checks take some 300 bytes for each.
+const MOST_TOKENS: usize = 2_000_000;
+
 /// The maximum depth of nested imports.
 const MOST_NESTED: usize = 64;
 
@@ -134,6 +137,13 @@ pub(crate) struct SourceFile {
     number: usize,
     /// Dynamic calls with rules: the name of the import, and the overrides.
     calls: Vec<(Name, Vec<Override>)>,
+}
+
+impl SourceFile {
+    /// The number of declarations and styles: the size of an instance.
+    fn declared(&self) -> usize {
+        self.ast.decls.len() + self.ast.styles.len()
+    }
 }
 
 /// A file with the style in force, at one import site.
@@ -295,7 +305,7 @@ impl Link<'_> {
     ) -> InstanceId {
         self.under_way.push(file.number);
         let id = self.program.instances.len();
-        self.declared += file.ast.decls.len();
+        self.declared += file.declared();
         let styles = Styles::new(&file.ast, style, self.diags);
         let root_style = parent.map_or(style, |parent| self.program.instances[parent].root_style);
         self.program.instances.push(Instance {
@@ -336,21 +346,30 @@ impl Link<'_> {
 
     /// Returns true if a limit is reached, which is reported once.
     fn full_up(&mut self, file: &SourceFile, span: Span) -> bool {
-        let full = if MOST_INSTANCES <= self.program.instances.len() {
-            format!("more than {MOST_INSTANCES} files")
+        const AGAIN: (&str, &str) = (
+            "a file counts once for each place and style it is used in",
+            "use fewer styles, or import files that have styles fewer times",
+        );
+        const LONG: (&str, &str) = ("each word, number and sign is a token", "divide the rules into several grammars");
+        let (full, (note, help)) = if MOST_INSTANCES <= self.program.instances.len() {
+            (format!("more than {MOST_INSTANCES} files"), AGAIN)
+        } else if MOST_TOKENS < self.program.tokens.len() {
+            (format!("more than {MOST_TOKENS} tokens in all files"), LONG)
         } else if MOST_NESTED <= self.under_way.len() {
             self.diags.report(Code::CannotImport, span, format!("imports are nested more than {MOST_NESTED} deep"));
             return true;
-        } else if MOST_DECLARATIONS < self.declared + file.ast.decls.len() {
-            format!("styles and imports multiply these rules to more than {MOST_DECLARATIONS} declarations")
+        } else if MOST_DECLARATIONS < self.declared + file.declared() {
+            let message =
+                format!("styles and imports multiply these rules to more than {MOST_DECLARATIONS} declarations");
+            (message, AGAIN)
         } else {
             return false;
         };
         if !self.full {
             self.full = true;
             let diag = self.diags.report(Code::CannotImport, span, full);
-            diag.note("a file counts once for each place and style it is used in");
-            diag.help("use fewer styles, or import files that have styles fewer times");
+            diag.note(note);
+            diag.help(help);
         }
         true
     }

@@ -164,9 +164,9 @@ pub(super) static TEXTS: &[Function] = &[
     run("replace", "replace", &[INPUT, OLD, boolean("newString")], T, "the text with every occurrence replaced"),
     plain("findFirst", "find_first", &[INPUT, MATCH], F, "where the first occurrence begins, or -1"),
     plain("findLast", "find_last", &[INPUT, MATCH], F, "where the last occurrence begins, or -1"),
-    plain("getPrefix", "get_prefix", &[INPUT, MATCH], T, "the text before the first occurrence"),
-    plain("getSuffix", "get_suffix", &[INPUT, MATCH], T, "the text after the last occurrence"),
-    plain(
+    run("getPrefix", "get_prefix", &[INPUT, MATCH], T, "the text before the first occurrence"),
+    run("getSuffix", "get_suffix", &[INPUT, MATCH], T, "the text after the last occurrence"),
+    run(
         "getRange",
         "get_range",
         &[INPUT, text("leftMatchString"), text("rightMatchString")],
@@ -182,7 +182,7 @@ pub(super) static TEXTS: &[Function] = &[
 /// Lists in text.
 pub(super) static LISTS: &[Function] = &[
     run("listAdd", "list_add", &[LIST, text("item")], T, "the list with one more item"),
-    plain("listClean", "list_clean", &[LIST], T, "the list without empty items"),
+    run("listClean", "list_clean", &[LIST], T, "the list without empty items"),
     plain("listCount", "list_count", &[LIST, SEARCH], F, "how many items match"),
     plain("listFirst", "list_first", &[LIST], T, "the first item"),
     run("listFromArray", "list_from_array", &[of("array", FS)], T, "the elements as a list"),
@@ -199,9 +199,9 @@ pub(super) static LISTS: &[Function] = &[
         T,
         "the items from one number up to another",
     ),
-    plain("listRemove", "list_remove", &[LIST, SEARCH], T, "the list without the first item that matches"),
-    plain("listRemoveAll", "list_remove_all", &[LIST, SEARCH], T, "the list without the items that match"),
-    plain("listRetainAll", "list_retain_all", &[LIST, SEARCH], T, "the items that match"),
+    run("listRemove", "list_remove", &[LIST, SEARCH], T, "the list without the first item that matches"),
+    run("listRemoveAll", "list_remove_all", &[LIST, SEARCH], T, "the list without the items that match"),
+    run("listRetainAll", "list_retain_all", &[LIST, SEARCH], T, "the items that match"),
     plain("listSize", "list_size", &[LIST], F, "how many items"),
     run("listTerminate", "list_terminate", &[LIST], T, "the list with a `;` at its end"),
     run("listToArray", "list_to_array", &[LIST], TS, "the items as an array"),

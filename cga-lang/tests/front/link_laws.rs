@@ -256,6 +256,35 @@ fn a_long_file_may_have_many_styles() {
     assert_eq!(compiled.grammar.map(|grammar| grammar.rules.len()), Some(8_000));
 }
 
+/// Each instance has a list of the styles: 1,000 instances of 36,000 styles took 600 MB.
+#[test]
+fn many_styles_have_few_instances() {
+    let styles: String = (0..8_000).map(|number| format!("style S{number}\n")).collect();
+    let mut disk = disk_of([("a.cga".into(), format!("{styles} Lot --> X."))]);
+    let compiled = disk.compile("a.cga");
+    let found: Vec<String> = compiled.diags.iter().map(|diag| diag.message.to_string()).collect();
+    assert_eq!(found, ["styles and imports multiply these rules to more than 250000 declarations"]);
+}
+
+/// Each of them may have a megabyte.
+#[test]
+fn files_have_a_limit_in_all() {
+    let long = |number: usize| (format!("f{number}.cga"), "(".repeat(900_000));
+    let imports: String = (0..9).map(|number| format!("import i{number} : \"f{number}.cga\"\n")).collect();
+    let mut disk = disk_of((0..9).map(long).chain([("a.cga".into(), format!("{imports} Lot --> X."))]));
+    let compiled = disk.compile("a.cga");
+    let found = |message: &str| compiled.diags.iter().filter(|diag| diag.message.to_string() == message).count();
+    assert_eq!(found("more than 2000000 tokens in all files"), 1);
+    assert!(disk.opened < 5, "{} files are read", disk.opened);
+}
+
+/// A megabyte of `@` took 700 MB.
+#[test]
+fn signs_of_annotations_in_a_row_are_reported_twice() {
+    let mut disk = disk_of([("a.cga".into(), format!("{}\nLot --> X.", "@".repeat(1000)))]);
+    assert_eq!(count_of(&disk.compile("a.cga"), Code::Syntax), 2);
+}
+
 #[test]
 fn chains_and_rings_of_files_and_styles_end() {
     for count in [2, 10, 150] {

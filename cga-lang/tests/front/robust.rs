@@ -478,4 +478,14 @@ fn operators_in_a_row_are_not_nested() {
     assert_eq!(codes(&format!("extrude(1{} + true)", many(50, " + 1"))), [Code::TypeMismatch]);
     assert_eq!(codes(&format!("extrude(1{} / 0)", many(50, " * 1"))), [Code::DivisionByZero]);
     assert_eq!(codes(&format!("extrude(1{} + nothing)", many(50, " + 1"))), [Code::UnknownName]);
+    // Operands refine each other, however many there are.
+    for count in [3, 100, 500] {
+        let all = |operator: &str, comparison: &str| {
+            let parts: Vec<String> = (1..=count).map(|number| format!("scope.sx {comparison} {number}")).collect();
+            codes(&format!("case {} : X. else : Y.", parts.join(operator)))
+        };
+        assert_eq!(all(" && ", "=="), [Code::CaseAlways], "{count}");
+        assert_eq!(all(" || ", "!="), [Code::CaseAlways], "{count}");
+        assert_eq!((all(" && ", "!="), all(" || ", "==")), (vec![], vec![]), "{count}");
+    }
 }

@@ -29,7 +29,7 @@ pub fn array_to_text<T: Element>(env: &mut Env, array: Array<T>) -> Text {
     // Many elements may share one long text. The lower bound refuses such an array without printing the text for each
     // element.
     let bytes = array.into_iter().map(Printed::least_bytes).fold(0, usize::saturating_add);
-    if env.may_write(bytes) { env.write(array) } else { Text::default() }
+    if env.may_print(bytes) { env.write(array) } else { Text::default() }
 }
 
 /// 1 or 0 (*float function*).

@@ -7,35 +7,63 @@ use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::value::text::Text;
 
+/// The bytes of a value up to which it does not count for [`Limits::bytes`](crate::run::settings::Limits::bytes).
+const SHORT: usize = 256;
+
+/// The bytes that an element of an array counts for.
+const ELEMENT: usize = 16;
+
 impl Env {
-    /// Returns true if an array may have `elements` elements. If not, the run ends.
+    /// Returns true if an array of `elements` elements may be made, and counts it. If not, the run ends.
     pub(crate) fn may_hold(&mut self, elements: usize) -> bool {
+        self.may_grow(elements) && self.count_value(elements.saturating_mul(ELEMENT))
+    }
+
+    /// Returns true if an array that is being made may have `elements` elements. If not, the run ends.
+    pub(crate) fn may_grow(&mut self, elements: usize) -> bool {
         let limit = self.settings.limits.array;
         self.within(LimitKind::Array, elements, limit)
     }
 
-    /// Returns true if a text may have `bytes` bytes. If not, the run ends.
+    /// Returns true if a text of `bytes` bytes may be made, and counts it. If not, the run ends.
     pub(crate) fn may_write(&mut self, bytes: usize) -> bool {
+        self.may_print(bytes) && self.count_value(bytes)
+    }
+
+    /// Returns true if texts that are being made may have `bytes` bytes. If not, the run ends.
+    pub(crate) fn may_print(&mut self, bytes: usize) -> bool {
         let limit = self.settings.limits.text;
         self.within(LimitKind::Text, bytes, limit)
     }
 
+    /// Returns true if the run goes on and the count is within the limit.
     fn within(&mut self, what: LimitKind, count: usize, limit: u64) -> bool {
-        let _: Flow = self.spend(count);
-        let fits = count as u64 <= limit;
-        if !fits {
+        if limit < count as u64 {
             let _: Flow = self.limit(what, limit);
         }
-        fits
+        let flow: Flow = self.spend(count);
+        flow.is_continue() && !self.ended()
+    }
+
+    /// Counts a value that a function makes for [`Limits::bytes`](crate::run::settings::Limits::bytes). Short values do not count: rules make very many, and hold few.
+    /// Returns true if the run goes on.
+    fn count_value(&mut self, bytes: usize) -> bool {
+        if SHORT < bytes {
+            let _: Flow = self.count_value_bytes(bytes as u64);
+        }
+        !self.ended()
     }
 
     /// The value as text. If it is longer than the limit, the run ends and the text is empty.
     pub(super) fn write(&mut self, text: impl fmt::Display) -> Text {
+        if self.ended() {
+            return Text::default();
+        }
         let mut out = Bounded { text: String::new(), longest: self.settings.limits.text };
         match write!(out, "{text}") {
             Ok(()) => {
                 let _: Flow = self.spend(out.text.len());
-                Text::from(out.text)
+                if self.count_value(out.text.len()) { Text::from(out.text) } else { Text::default() }
             }
             Err(_) => {
                 let _: Flow = self.limit(LimitKind::Text, out.longest);
@@ -65,6 +93,7 @@ impl Write for Bounded {
 mod tests {
     use super::super::tests::{limit, small_env};
     use super::*;
+    use crate::run::settings::{Limits, Settings};
 
     #[test]
     fn what_is_too_large_ends_the_run() {
@@ -75,5 +104,32 @@ mod tests {
         assert_eq!(env.write("abcde").as_str(), "abcde");
         assert!(!env.may_hold(4) && env.ended());
         assert_eq!(limit(&env), Some(LimitKind::Array));
+    }
+
+    #[test]
+    fn long_values_count_for_the_limit_of_bytes() {
+        let bytes = 1_000_000 + Limits::BYTES_A_SHAPE;
+        let most = |make: fn(&mut Env) -> bool| {
+            let settings = Settings { limits: Limits { bytes, ..Limits::default() }, ..Settings::default() };
+            let env = &mut Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+            env.shapes = 1;
+            let made = (0..10_000).take_while(|_| make(env)).count();
+            assert!(made == 10_000 || limit(env) == Some(LimitKind::Bytes));
+            made as u64
+        };
+        assert_eq!(most(|env| env.may_write(1000)), bytes / 1000);
+        assert_eq!(most(|env| !env.write("x".repeat(1000)).is_empty()), bytes / 1000);
+        assert_eq!(most(|env| env.may_hold(100)), bytes / 1600);
+        // Short values do not count, and values in the making count once.
+        assert_eq!(most(|env| env.may_write(256) && env.may_hold(16)), 10_000);
+        assert_eq!(most(|env| env.may_print(1000) && env.may_grow(100)), 10_000);
+    }
+
+    #[test]
+    fn a_run_that_has_ended_makes_no_texts_and_arrays() {
+        let env = &mut small_env(3, 5);
+        assert!(!env.may_write(6) && env.ended());
+        assert!(!env.may_write(1) && !env.may_hold(1) && !env.may_print(1) && !env.may_grow(1));
+        assert!(env.write("a").is_empty());
     }
 }

@@ -15,13 +15,13 @@ fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
 }
 
 /// The items with a `;` after each. Never longer than the list that they come from, with a last `;`.
-fn list_of<'t>(items: impl Iterator<Item = &'t str>) -> Text {
+fn list_of<'t>(env: &mut Env, items: impl Iterator<Item = &'t str>) -> Text {
     let mut list = String::new();
     for item in items {
         list.push_str(item);
         list.push(';');
     }
-    Text::from(list)
+    if env.may_write(list.len()) { Text::from(list) } else { Text::default() }
 }
 
 /// Returns true if an item matches a search text.
@@ -43,8 +43,8 @@ pub fn list_add(env: &mut Env, list: Text, item: Text) -> Text {
 }
 
 /// The list with a `;` at its end and without empty items (*listClean*).
-pub fn list_clean(list: Text) -> Text {
-    list_of(items(&list))
+pub fn list_clean(env: &mut Env, list: Text) -> Text {
+    list_of(env, items(&list))
 }
 
 /// The number of matching items (*listCount*).
@@ -69,11 +69,11 @@ pub fn list_from_array<T: Element>(env: &mut Env, array: Array<T>) -> Text {
         // Writing to a string cannot fail.
         let _ = value.print(&mut list);
         list.push(';');
-        if !env.may_write(list.len()) {
+        if !env.may_print(list.len()) {
             return Text::default();
         }
     }
-    Text::from(list)
+    if env.may_write(list.len()) { Text::from(list) } else { Text::default() }
 }
 
 /// All items, including empty ones, in one row (*listToArray*).
@@ -107,23 +107,23 @@ pub fn list_random(shape: &mut impl View, list: Text) -> Text {
 pub fn list_range(env: &mut Env, list: Text, start: f64, end: f64) -> Text {
     let start = whole(env.finite(start, "the start of a range of items")).unwrap_or(0);
     let end = whole(env.finite(end, "the end of a range of items")).unwrap_or(0);
-    list_of(items(&list).take(end).skip(start))
+    list_of(env, items(&list).take(end).skip(start))
 }
 
 /// The list without the first matching item (*listRemove*).
-pub fn list_remove(list: Text, search: Text) -> Text {
+pub fn list_remove(env: &mut Env, list: Text, search: Text) -> Text {
     let first = items(&list).position(|item| matches(item, &search));
-    list_of(items(&list).enumerate().filter(|(place, _)| Some(*place) != first).map(|(_, item)| item))
+    list_of(env, items(&list).enumerate().filter(|(place, _)| Some(*place) != first).map(|(_, item)| item))
 }
 
 /// The list without the matching items (*listRemoveAll*).
-pub fn list_remove_all(list: Text, search: Text) -> Text {
-    list_of(items(&list).filter(|item| !matches(item, &search)))
+pub fn list_remove_all(env: &mut Env, list: Text, search: Text) -> Text {
+    list_of(env, items(&list).filter(|item| !matches(item, &search)))
 }
 
 /// The matching items as a list (*listRetainAll*).
-pub fn list_retain_all(list: Text, search: Text) -> Text {
-    list_of(items(&list).filter(|item| matches(item, &search)))
+pub fn list_retain_all(env: &mut Env, list: Text, search: Text) -> Text {
+    list_of(env, items(&list).filter(|item| matches(item, &search)))
 }
 
 /// The number of items (*listSize*).
@@ -180,20 +180,20 @@ mod tests {
             (list_add(env, text("a"), text("b")), list_add(env, text(""), text("b"))),
             (text("a;b;"), text("b;"))
         );
-        assert_eq!(list_clean(text(";;;;;my;city;rules;;your;;city;;")), text("my;city;rules;your;city;"));
-        assert_eq!((list_clean(text(";;a;;b")), list_clean(text(";;"))), (text("a;b;"), text("")));
+        assert_eq!(list_clean(env, text(";;;;;my;city;rules;;your;;city;;")), text("my;city;rules;your;city;"));
+        assert_eq!((list_clean(env, text(";;a;;b")), list_clean(env, text(";;"))), (text("a;b;"), text("")));
         assert_eq!(list_range(env, text("rule;your;city;with;cityengine;"), 0.0, 3.0), rule());
         assert_eq!(list_range(env, text("t1;t2;t3;t4"), 2.0, 3.0), text("t3;"));
         assert_eq!(list_range(env, text("t1;t2;t3;t4"), -2.0, 99.0), text("t1;t2;t3;t4;"));
         assert_eq!((list_range(env, rule(), 3.0, 1.0), list_range(env, rule(), 9.0, 12.0)), (text(""), text("")));
-        assert_eq!(list_remove(rule(), text("your")), text("rule;city;"));
-        assert_eq!(list_remove(rule(), text("*u*")), text("your;city;"));
-        assert_eq!(list_remove(text("floor_1;floor_2;floor_3;"), text("*_2")), text("floor_1;floor_3;"));
+        assert_eq!(list_remove(env, rule(), text("your")), text("rule;city;"));
+        assert_eq!(list_remove(env, rule(), text("*u*")), text("your;city;"));
+        assert_eq!(list_remove(env, text("floor_1;floor_2;floor_3;"), text("*_2")), text("floor_1;floor_3;"));
         let designs = || text("rule;your;designs;and;your;cities;");
-        assert_eq!(list_remove_all(designs(), text("your")), text("rule;designs;and;cities;"));
-        assert_eq!(list_remove_all(designs(), text("*u*")), text("designs;and;cities;"));
-        assert_eq!(list_retain_all(designs(), text("*s")), text("designs;cities;"));
-        assert_eq!(list_retain_all(text("floor;floor_1;floor_2;"), text("*_*")), text("floor_1;floor_2;"));
+        assert_eq!(list_remove_all(env, designs(), text("your")), text("rule;designs;and;cities;"));
+        assert_eq!(list_remove_all(env, designs(), text("*u*")), text("designs;and;cities;"));
+        assert_eq!(list_retain_all(env, designs(), text("*s")), text("designs;cities;"));
+        assert_eq!(list_retain_all(env, text("floor;floor_1;floor_2;"), text("*_*")), text("floor_1;floor_2;"));
         assert_eq!(["a", "a;", ""].map(|list| list_terminate(env, text(list))), ["a;", "a;", ""].map(text));
     }
 
@@ -244,12 +244,12 @@ mod tests {
             let array: Array<Text> = (0..4).map(|_| item()).collect();
             let list = list_from_array(env, array.clone());
             assert_eq!(list_to_array(env, list.clone()), array);
-            let clean = list_clean(list.clone());
-            assert_eq!(list_clean(clean.clone()), clean);
+            let clean = list_clean(env, list.clone());
+            assert_eq!(list_clean(env, clean.clone()), clean);
             let search = item();
-            let kept = list_size(list_retain_all(list.clone(), search.clone()));
+            let kept = list_size(list_retain_all(env, list.clone(), search.clone()));
             assert_eq!(kept, list_count(list.clone(), search.clone()));
-            assert_eq!(kept + list_size(list_remove_all(list.clone(), search)), list_size(list));
+            assert_eq!(kept + list_size(list_remove_all(env, list.clone(), search)), list_size(list));
         }
     }
 }

@@ -50,9 +50,12 @@ fn split_by_pattern(env: &mut Env, pattern: &Regex, text: &str) -> Result<Array<
         }
         parts.push(part(part_start, start));
         part_start = end;
-        if !env.may_hold(parts.len() + 1) {
+        if !env.may_grow(parts.len() + 1) {
             return Ok(Array::default());
         }
+    }
+    if !env.may_hold(parts.len() + 1) {
+        return Ok(Array::default());
     }
     parts.push(part(part_start, text.len()));
     Ok(Array::from(parts))

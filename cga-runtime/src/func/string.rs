@@ -14,6 +14,11 @@ pub fn concat(env: &mut Env, a: Text, b: Text) -> Text {
     }
 }
 
+/// A part of a text, as a text of its own.
+fn own_text(env: &mut Env, text: &str) -> Text {
+    if env.may_write(text.len()) { Text::from(text) } else { Text::default() }
+}
+
 /// The number of characters (*len function*).
 pub fn len(text: Text) -> f64 {
     text.chars().count() as f64
@@ -46,7 +51,7 @@ pub fn substring(env: &mut Env, text: Text, start: f64, end: f64) -> Text {
     let start = whole(env.finite(start, "the start of a substring")).unwrap_or(0);
     let end = whole(env.finite(end, "the end of a substring")).unwrap_or(0);
     let byte = |place: usize| text.char_indices().nth(place).map_or(text.len(), |(byte, _)| byte);
-    if end <= start { Text::default() } else { Text::from(&text[byte(start)..byte(end)]) }
+    if end <= start { Text::default() } else { own_text(env, &text[byte(start)..byte(end)]) }
 }
 
 /// The text with every occurrence of `old` replaced (*replace*). An empty `old` does not occur. `new` may be a number
@@ -78,26 +83,26 @@ pub fn find_last(text: Text, part: Text) -> f64 {
 }
 
 /// The text before the first occurrence; the whole text without one (*getPrefix*).
-pub fn get_prefix(text: Text, part: Text) -> Text {
+pub fn get_prefix(env: &mut Env, text: Text, part: Text) -> Text {
     match text.split_once(part.as_str()) {
-        Some((before, _)) => Text::from(before),
+        Some((before, _)) => own_text(env, before),
         None => text,
     }
 }
 
 /// The text after the last occurrence; the whole text without one (*getSuffix*).
-pub fn get_suffix(text: Text, part: Text) -> Text {
+pub fn get_suffix(env: &mut Env, text: Text, part: Text) -> Text {
     match text.rsplit_once(part.as_str()) {
-        Some((_, behind)) => Text::from(behind),
+        Some((_, behind)) => own_text(env, behind),
         None => text,
     }
 }
 
 /// The text between the first occurrence of `left` and the last one of `right` (*getRange*). Empty if these overlap;
 /// the whole text if one of them does not occur.
-pub fn get_range(text: Text, left: Text, right: Text) -> Text {
+pub fn get_range(env: &mut Env, text: Text, left: Text, right: Text) -> Text {
     match text.find(left.as_str()).zip(text.rfind(right.as_str())) {
-        Some((start, end)) => Text::from(text.get(start + left.len()..end).unwrap_or_default()),
+        Some((start, end)) => own_text(env, text.get(start + left.len()..end).unwrap_or_default()),
         None => text,
     }
 }
@@ -148,26 +153,27 @@ mod tests {
 
     #[test]
     fn prefix_suffix_and_range_are_cut_at_occurrences() {
+        let env = &mut env();
         // *getPrefix*, *getSuffix*, *getRange*, *findFirst (utility library)*, *findLast*.
         let rule = || text("rule your city with cityengine");
-        assert_eq!(get_prefix(rule(), text("city")), text("rule your "));
-        assert_eq!(get_prefix(text("myTexture.has.prefix.jpg"), text(".")), text("myTexture"));
-        assert_eq!(get_suffix(rule(), text("city")), text("engine"));
-        assert_eq!(get_range(rule(), text("y"), text("city")), text("our city with "));
+        assert_eq!(get_prefix(env, rule(), text("city")), text("rule your "));
+        assert_eq!(get_prefix(env, text("myTexture.has.prefix.jpg"), text(".")), text("myTexture"));
+        assert_eq!(get_suffix(env, rule(), text("city")), text("engine"));
+        assert_eq!(get_range(env, rule(), text("y"), text("city")), text("our city with "));
         let file = || text("myTexture.hasName.001.jpg");
-        assert_eq!(get_range(file(), text("hasName."), text(".jpg")), text("001"));
-        assert_eq!(get_range(file(), text("."), text(".")), text("hasName.001"));
-        assert_eq!(get_range(text("CityEngine"), text("CityEn"), text("tyEngine")), text(""));
+        assert_eq!(get_range(env, file(), text("hasName."), text(".jpg")), text("001"));
+        assert_eq!(get_range(env, file(), text("."), text(".")), text("hasName.001"));
+        assert_eq!(get_range(env, text("CityEngine"), text("CityEn"), text("tyEngine")), text(""));
         assert_eq!((find_first(rule(), text("city")), find_last(rule(), text("city"))), (10.0, 20.0));
         assert_eq!((find_first(rule(), text("x")), find_last(rule(), text("x"))), (-1.0, -1.0));
-        for missing in [get_prefix(rule(), text("x")), get_suffix(rule(), text("x"))] {
+        for missing in [get_prefix(env, rule(), text("x")), get_suffix(env, rule(), text("x"))] {
             assert_eq!(missing, rule());
         }
         assert_eq!(
-            (get_range(rule(), text("x"), text("city")), get_range(rule(), text("y"), text("x"))),
+            (get_range(env, rule(), text("x"), text("city")), get_range(env, rule(), text("y"), text("x"))),
             (rule(), rule())
         );
-        assert_eq!((get_prefix(rule(), text("")), get_suffix(rule(), text(""))), (text(""), text("")));
+        assert_eq!((get_prefix(env, rule(), text("")), get_suffix(env, rule(), text(""))), (text(""), text("")));
     }
 
     #[test]

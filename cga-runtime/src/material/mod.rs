@@ -99,6 +99,12 @@ impl Material {
         self.more_texts().iter().for_each(|(_, text)| text.as_str().hash(hasher));
     }
 
+    /// The bytes of the texts.
+    pub(crate) fn text_bytes(&self) -> u64 {
+        let own = [&self.name, &self.texture].into_iter().flatten();
+        own.chain(self.more_texts().iter().map(|(_, text)| text)).map(|text| text.len() as u64).sum()
+    }
+
     /// The diffuse colour; white if unset.
     pub fn color(&self) -> Color {
         self.color.unwrap_or(Color::WHITE)

@@ -6,9 +6,10 @@ use crate::fault::FaultKind;
 use crate::geometry::Frame;
 use crate::geometry::rotation::turn;
 use crate::material::list::{each_material_number, each_material_text};
-use crate::material::{Channel, Layer, LayerPart, MaterialNumber, MaterialText};
+use crate::material::{Channel, Layer, LayerPart, Material, MaterialNumber, MaterialText};
 use crate::query::get;
 use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::Shape;
 use crate::shape::scope::Scope;
 use crate::shape::seed::Seed;
@@ -98,12 +99,18 @@ macro_rules! material_texts {
 each_material_number!(material_numbers);
 each_material_text!(material_texts);
 
+/// Changes the material that rules set, and counts the new one.
+pub(crate) fn change_material(env: &mut Env, shape: &mut Shape, change: impl FnOnce(&mut Material)) {
+    shape.change_material(change);
+    let _: Flow = env.count_look(shape.material());
+}
+
 pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialNumber, value: f64) {
     let value = env.finite(value, "the material's value");
     // Setting one channel keeps the other two at their visible values.
     let seen = matches!(which, MaterialNumber::Color(_)) && shape.material().color.is_none();
     let own = if seen { shape.own_material().and_then(|own| own.color) } else { None };
-    shape.change_material(|material| {
+    change_material(env, shape, |material| {
         material.color = material.color.or(own);
         material.set_number(which, value);
     });
@@ -112,7 +119,7 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialN
 pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
         let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
-        shape.change_material(|material| material.set_text(which, value));
+        change_material(env, shape, |material| material.set_text(which, value));
     } else {
         env.fault(
             FaultKind::Value,
@@ -127,8 +134,8 @@ pub fn material_color_rgb(env: &mut Env, shape: &mut Shape, value: Text) {
 }
 
 /// `material.doubleSided` (*material attribute*).
-pub fn material_double_sided(_: &mut Env, shape: &mut Shape, value: bool) {
-    shape.change_material(|material| material.double_sided = Some(value));
+pub fn material_double_sided(env: &mut Env, shape: &mut Shape, value: bool) {
+    change_material(env, shape, |material| material.double_sided = Some(value));
 }
 
 /// `trim.vertical`, for this shape and its descendants (*trim attribute*).
@@ -221,8 +228,28 @@ mod tests {
     use super::*;
     use crate::op::Length::Absolute;
     use crate::op::{rotate, translate};
-    use crate::run::settings::Settings;
+    use crate::run::settings::{Limits, Settings};
     use crate::shape::Shape;
+
+    #[test]
+    fn materials_that_rules_make_count_for_the_limit_of_bytes() {
+        let room = 1_000_000;
+        let made = |name: &str| {
+            let limits = Limits { bytes: room + Limits::BYTES_A_SHAPE, ..Limits::default() };
+            let settings = Settings { limits, ..Settings::default() };
+            let (mut shape, mut count) = (Shape::cuboid(1.0, 1.0, 1.0), 0u32);
+            let env = &mut Env::with_names(&settings, &["Lot"], &shape, "Lot");
+            shape.change_material(|material| material.name = Some(name.into()));
+            env.shapes = 1;
+            while !env.ended() {
+                material_opacity(env, &mut shape, 1.0 / f64::from(count));
+                count += 1;
+            }
+            u64::from(count) - 1
+        };
+        assert_eq!(made(""), room / Limits::BYTES_A_LOOK);
+        assert_eq!(made(&"n".repeat(5000)), room / (Limits::BYTES_A_LOOK + 5000));
+    }
 
     #[test]
     fn every_material_attribute_reads_its_default_then_what_was_set() {

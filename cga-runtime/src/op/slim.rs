@@ -9,6 +9,7 @@ use glam::DVec3;
 use super::{Length, lengths, settle_origin};
 use crate::geometry::Axis;
 use crate::run::env::Env;
+use crate::run::sink::Flow;
 use crate::shape::base::Form;
 use crate::shape::look_id::{ChangePlace, LookId};
 use crate::shape::scope::Scope;
@@ -134,7 +135,10 @@ pub fn change_material<'s, 'b, G>(
         return shape;
     }
     let faults = env.fault_count();
+    // A look with a number is made once and does not count.
+    let counts = std::mem::replace(&mut env.counts_looks, false);
     let changed = whole(env, shape, bases, |env, shape| change(g, env, shape));
+    env.counts_looks = counts;
     if before != LookId::OF_BASE && faults == env.fault_count() {
         let after = env.leaf_tables.looks.change(place, before, changed.base.shape.state.look());
         if after != LookId::OF_BASE {
@@ -142,6 +146,7 @@ pub fn change_material<'s, 'b, G>(
             return shape;
         }
     }
+    let _: Flow = env.count_look(&changed.base.shape.state.look().material);
     own.insert(changed)
 }
 

@@ -10,6 +10,9 @@ use super::error::WriteError;
 /// A file in the making: it has a temporary name beside its own, which [`finish`](WholeFile::finish) gives it. If it is dropped
 /// before, the temporary file goes, and a file that had the name stays as it was.
 ///
+/// A file that takes the place of another one is on the disk before it gets the name. So a crash of the machine leaves one of the
+/// two whole. A new file is not waited for: after such a crash it may be empty.
+///
 /// An existing file keeps its permissions, and one that may not be written is an error. A link stays: the file that it leads to is
 /// written. What another file cannot take the place of is written directly: pipes, devices, the open files of the process, such
 /// as `/dev/stdout`, files of another owner or with several names, and files in a folder that takes no new ones.
@@ -20,6 +23,8 @@ pub(super) struct WholeFile {
     file: File,
     /// The temporary name and the final one; `None` for what is written directly.
     names: Option<[PathBuf; 2]>,
+    /// True if a file has the final name.
+    replaces: bool,
 }
 
 impl WholeFile {
@@ -35,11 +40,14 @@ impl WholeFile {
 
     /// Gives the file its name.
     pub(super) fn finish(mut self) -> Result<(), WriteError> {
-        let Some([temporary, name]) = self.names.take() else { return Ok(()) };
-        fs::rename(&temporary, name).map_err(|error| {
-            let _ = fs::remove_file(&temporary);
-            failed(&self.path, error)
-        })
+        let Some([temporary, name]) = &self.names else { return Ok(()) };
+        if self.replaces {
+            // A file system may write the new name before the bytes. Until both are on the disk, the file before stays.
+            self.file.sync_all().map_err(|error| failed(&self.path, error))?;
+        }
+        fs::rename(temporary, name).map_err(|error| failed(&self.path, error))?;
+        self.names = None;
+        Ok(())
     }
 }
 
@@ -81,7 +89,7 @@ fn failed(path: &Path, error: io::Error) -> WriteError {
 
 /// A file that is written directly.
 fn direct(path: &Path, file: File) -> WholeFile {
-    WholeFile { path: path.to_owned(), file, names: None }
+    WholeFile { path: path.to_owned(), file, names: None, replaces: false }
 }
 
 /// Opens what is to be written.
@@ -108,7 +116,8 @@ fn open(path: &Path) -> io::Result<WholeFile> {
         opened => opened?,
     };
     // If it is dropped without being finished, the temporary file goes.
-    let whole = WholeFile { path: path.to_owned(), file, names: Some([temporary.clone(), name.clone()]) };
+    let names = Some([temporary.clone(), name.clone()]);
+    let whole = WholeFile { path: path.to_owned(), file, names, replaces: known.is_some() };
     if let Some(known) = known {
         if !can_replace(&known, &whole.file.metadata()?) {
             return Ok(direct(path, File::create(name)?));

@@ -1,5 +1,6 @@
 //! Numbers of vertices, edges, faces and holes; the names of groups and materials.
 
+use super::readable::placed;
 use crate::geometry::mesh::{FaceTag, Mesh};
 use crate::geometry::wire::Wire;
 use crate::material::Material;
@@ -29,7 +30,7 @@ pub fn geometry_n_holes(shape: &Shape) -> f64 {
 }
 
 fn count(shape: &Shape, of_wire: fn(&Wire) -> usize, of_mesh: fn(&Mesh) -> usize) -> f64 {
-    let count = match shape.geometry.placed() {
+    let count = match placed(shape) {
         Some(placed) => of_mesh(&placed.mesh),
         None => shape.to_wire().map_or(0, |wire| of_wire(&wire)),
     };
@@ -58,7 +59,7 @@ fn names(
     name: fn(&Mesh, usize) -> Option<Text>,
     nameless: Text,
 ) -> Array<Text> {
-    let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return Array::default() };
+    let Some(Placed { mesh, .. }) = placed(shape) else { return Array::default() };
     let mut used: Vec<u32> = mesh.face_attributes().map(|tag| id(&tag)).collect();
     used.sort_unstable();
     used.dedup();

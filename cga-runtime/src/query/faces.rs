@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
+use super::readable::placed;
 use crate::comp::orientation::Orientation;
 use crate::comp::select::{Sense, Word};
-use crate::geometry::work;
 use crate::run::env::Env;
 use crate::shape::Shape;
 
@@ -28,10 +28,7 @@ pub(super) fn selected(env: &Env, shape: &Shape, word: Word, mut each: impl FnMu
 /// Calls `each` with the area vector of every face (its normal times its area as seen along the normal), its area and a point of
 /// it, in scope coordinates.
 pub(super) fn area_vectors(shape: &Shape, mut each: impl FnMut(DVec3, f64, DVec3)) {
-    let Some(placed) = shape.geometry.placed() else { return };
-    if !work::spend(2 * placed.mesh.corners().len()) {
-        return;
-    }
+    let Some(placed) = placed(shape) else { return };
     let stretch = placed.stretch(shape.scope.size);
     // The factor of cross products of stretched vectors.
     let across = DVec3::new(stretch.y * stretch.z, stretch.z * stretch.x, stretch.x * stretch.y);

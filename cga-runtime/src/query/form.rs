@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::faces::selected;
+use super::readable::placed;
 use crate::comp::select::Word;
 use crate::geometry::mesh::{FaceRef, unit};
 use crate::geometry::tol::{ANGLE_EPSILON, STRAIGHT_EPSILON};
@@ -13,7 +14,7 @@ use crate::shape::{Inserted, Placed, Shape};
 /// `geometry.isConcave()`: true if a face has a reflex corner (*geometry.isConcave function*). A straight corner is
 /// not reflex. Some corners of every hole are.
 pub fn geometry_is_concave(shape: &Shape) -> bool {
-    let Some(placed) = shape.geometry.placed() else { return false };
+    let Some(placed) = placed(shape) else { return false };
     let stretch = placed.stretch(shape.scope.size);
     placed.mesh.faces().any(|face| {
         let normal = face.stretched_normal(stretch);
@@ -26,7 +27,7 @@ pub fn geometry_is_concave(shape: &Shape) -> bool {
 /// `tolerance` degrees (*geometry.isRectangular function*). A side without length has no angles.
 pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
-    let Some(placed) = shape.geometry.placed() else { return false };
+    let Some(placed) = placed(shape) else { return false };
     let stretch = placed.stretch(shape.scope.size);
     let near = libm::sin(tolerance.clamp(0.0, 90.0).to_radians()) + ANGLE_EPSILON;
     let right =
@@ -41,7 +42,7 @@ pub fn geometry_is_rectangular(env: &mut Env, shape: &Shape, tolerance: f64) -> 
 /// count.
 pub fn geometry_is_planar(env: &mut Env, shape: &Shape, tolerance: f64) -> bool {
     let tolerance = env.finite(tolerance, "the tolerance");
-    let Some(placed) = shape.geometry.placed() else { return false };
+    let Some(placed) = placed(shape) else { return false };
     let stretch = placed.stretch(shape.scope.size);
     let least = libm::cos(tolerance.min(90.0).to_radians()) - ANGLE_EPSILON;
     let flat = |face: FaceRef<'_>| {
@@ -66,7 +67,7 @@ pub fn geometry_is_oriented(env: &Env, shape: &Shape, selector: Word) -> bool {
 /// `geometry.isClosedSurface()`: true if there are faces, and every edge has two of them (*geometry.isClosedSurface
 /// function*).
 pub fn geometry_is_closed_surface(shape: &Shape) -> bool {
-    let Some(Placed { mesh, .. }) = shape.geometry.placed() else { return false };
+    let Some(Placed { mesh, .. }) = placed(shape) else { return false };
     is_closed_surface(&mesh)
 }
 

@@ -3,10 +3,10 @@
 use glam::DVec3;
 
 use super::faces::{area_vectors, selected};
+use super::readable::{may_read, placed};
 use crate::comp::select::Word;
 use crate::geometry::tol::{ANGLE_EPSILON, TIE_EPSILON};
 use crate::geometry::wire::Wire;
-use crate::geometry::work;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
@@ -26,8 +26,8 @@ pub fn geometry_area(env: &Env, shape: &Shape, selector: Word) -> f64 {
 /// negative, even for a shape that is inside out. Flat geometry has none. For an open mesh it is the volume of the
 /// cones from the faces to the middle.
 pub fn geometry_volume(shape: &Shape) -> f64 {
-    let Some(placed) = shape.geometry.placed() else { return 0.0 };
-    if shape.scope.size.cmpeq(DVec3::ZERO).any() || !work::spend(2 * placed.mesh.corners().len()) {
+    let Some(placed) = placed(shape) else { return 0.0 };
+    if shape.scope.size.cmpeq(DVec3::ZERO).any() {
         return 0.0;
     }
     (placed.mesh.volume() * placed.stretch(shape.scope.size).element_product()).abs()
@@ -43,6 +43,9 @@ pub fn geometry_height(shape: &Shape) -> f64 {
         let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), y| (l.min(y), h.max(y)));
         if low <= high { high - low } else { 0.0 }
     };
+    if !may_read(shape) {
+        return 0.0;
+    }
     match &shape.geometry {
         Geometry::Rect(axis, _) => {
             let mut rises = (rise * size).abs();
@@ -63,7 +66,7 @@ pub fn geometry_boundary_length(shape: &Shape) -> f64 {
         size[axis.index()] = 0.0;
         return 2.0 * size.abs().element_sum();
     }
-    if let Some(placed) = shape.geometry.placed() {
+    if let Some(placed) = placed(shape) {
         let (mesh, stretch) = (&placed.mesh, placed.stretch(size));
         let adjacency = mesh.adjacency();
         let border = (0..adjacency.edge_count()).filter(|&edge| adjacency.is_border(edge));

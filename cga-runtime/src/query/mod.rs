@@ -20,6 +20,7 @@ mod measure;
 mod metadata;
 mod occlusion;
 mod print;
+mod readable;
 mod tags;
 mod texture;
 mod tree_key;

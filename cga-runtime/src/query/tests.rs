@@ -427,3 +427,36 @@ fn coordinates_go_from_system_to_system_and_back() {
     let far = convert(env, System::Scope, System::World, Pos, [f64::MAX; 3]);
     assert!(far.iter().all(|number| number.is_finite()) && !env.take_faults().0.is_empty());
 }
+
+/// Rules that read a large mesh again and again end with the run.
+#[test]
+fn a_run_that_has_ended_reads_no_mesh() {
+    let answers = |shape: &Shape, env: &mut Env| {
+        let numbers = [
+            geometry_n_vertices(shape),
+            geometry_n_faces(shape),
+            geometry_n_edges(shape),
+            geometry_area(env, shape, Word::All),
+            geometry_volume(shape),
+            geometry_height(shape),
+            geometry_du(env, shape, 0.0, TextureSpace::Uv),
+            geometry_v_max(env, shape, 0.0),
+        ];
+        let truths = [
+            geometry_has_uvs(env, shape),
+            geometry_has_uv_set(env, shape, 0.0),
+            geometry_is_closed_surface(shape),
+            geometry_is_oriented(env, shape, Word::Side),
+            !geometry_materials(shape).is_empty(),
+        ];
+        (numbers.map(|number| number != 0.0), truths)
+    };
+    let env = &mut Env::for_tests();
+    let mut shape = Shape::cuboid(2.0, 2.0, 2.0);
+    op::sphere_sides(env, &mut shape, 8.0, 4.0);
+    assert_eq!(answers(&shape, env), ([true; 8], [true; 5]));
+    let base = env.base(shape.clone());
+    assert!(env.limit::<()>(crate::fault::LimitKind::Shapes, 1).is_break());
+    assert_eq!(answers(&shape, env), ([false; 8], [false; 5]));
+    assert!(matches!(env.whole(&base.shape()).geometry, Geometry::Empty));
+}

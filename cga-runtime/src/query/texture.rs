@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::readable::mesh;
 use crate::geometry::mesh::TextureSpace;
 use crate::geometry::mesh::UvAxis;
 use crate::geometry::mesh::uv::spread;
@@ -41,23 +42,23 @@ pub fn geometry_v_max(env: &mut Env, shape: &Shape, set: f64) -> f64 {
 
 /// `geometry.hasUVs()`: true if there are coordinates in any set (*geometry.hasUVs function*).
 pub fn geometry_has_uvs(_: &mut Env, shape: &Shape) -> bool {
-    let mesh = shape.to_mesh();
-    (0..crate::shape::texture::SETS).any(|set| !mesh.uv_set(set).is_empty())
+    mesh(shape).is_some_and(|mesh| (0..crate::shape::texture::SETS).any(|set| !mesh.uv_set(set).is_empty()))
 }
 
 /// `geometry.hasUVs(uvSet)`: true if there are coordinates in a set.
 pub fn geometry_has_uv_set(env: &mut Env, shape: &Shape, set: f64) -> bool {
-    env.uv_set(set, "geometry.hasUVs").is_some_and(|set| !shape.to_mesh().uv_set(usize::from(set)).is_empty())
+    env.uv_set(set, "geometry.hasUVs")
+        .is_some_and(|set| mesh(shape).is_some_and(|mesh| !mesh.uv_set(usize::from(set)).is_empty()))
 }
 
 fn range(env: &mut Env, shape: &Shape, set: f64, what: &str) -> [DVec2; 2] {
     let set = env.uv_set(set, what);
-    set.and_then(|set| shape.to_mesh().uv_range(usize::from(set))).unwrap_or_default()
+    set.and_then(|set| mesh(shape)?.uv_range(usize::from(set))).unwrap_or_default()
 }
 
 fn extent(env: &mut Env, shape: &Shape, set: f64, space: TextureSpace, axis: UvAxis, what: &str) -> f64 {
     let Some(set) = env.uv_set(set, what) else { return 0.0 };
-    let extent = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE);
+    let extent = mesh(shape).and_then(|mesh| mesh.uv_extent(usize::from(set), DVec3::ONE));
     extent.map_or(0.0, |extent| {
         let size = spread([extent.low, extent.high])[axis.index()];
         match space {

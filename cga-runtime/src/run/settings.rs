@@ -35,9 +35,11 @@ pub struct Limits {
     /// each derived shape, [`BYTES_A_VERTEX`](Limits::BYTES_A_VERTEX) for each vertex that [`vertices`](Limits::vertices) counts,
     /// and [`BYTES_A_MESH`](Limits::BYTES_A_MESH) for each mesh that an operation makes and for each leaf that is a mesh. A leaf with
     /// texture coordinates of its own also counts its vertices, and [`BYTES_A_UV`](Limits::BYTES_A_UV) for each of them and each set
-    /// beyond the first. They are counted before memory is taken, and what is dropped stays counted. So a run takes about as
-    /// much memory, its model included; small solids take up to twice as much. Texts, arrays, assets and waiting calls have limits of their
-    /// own, and looks have none: a leaf with a colour that no other leaf has takes some 400 bytes more.
+    /// beyond the first. An operation that sets a material with arguments that vary counts [`BYTES_A_LOOK`](Limits::BYTES_A_LOOK) and
+    /// the texts of the material. A text of more than 256 bytes that a function makes counts its bytes, and an array of more than 16
+    /// elements counts 16 bytes for each of them. They are counted before memory is taken, and what is dropped stays counted. So a run takes about as
+    /// much memory, its model included; small solids take up to twice as much. Assets and waiting calls have limits of their own, and
+    /// a GLB file takes up to 4 kB more for each material while it is made.
     pub bytes: u64,
 }
 
@@ -53,6 +55,9 @@ impl Limits {
 
     /// Bytes that the texture coordinates of a vertex count for, in a set beyond the first.
     pub const BYTES_A_UV: u64 = 16;
+
+    /// Bytes that a look counts for, besides its texts: the material of shapes, and its place in a model.
+    pub const BYTES_A_LOOK: u64 = 400;
 
     /// The number of shapes that the limit of shapes and a number of bytes allow.
     pub(crate) fn shapes_in(&self, bytes: u64) -> u64 {

@@ -123,25 +123,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::floor_each(a0);
             stack.push_floats(value);
         }),
-        "get_prefix(text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::get_prefix(a0, a1);
-            stack.push_text(value);
-        }),
-        "get_range(text, text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a2 = stack.text();
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::get_range(a0, a1, a2);
-            stack.push_text(value);
-        }),
-        "get_suffix(text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::get_suffix(a0, a1);
-            stack.push_text(value);
-        }),
         "isinf(float)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.float();
             let value = func::isinf(a0);
@@ -187,11 +168,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::len(a0);
             stack.push_float(value);
         }),
-        "list_clean(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::list_clean(a0);
-            stack.push_text(value);
-        }),
         "list_count(text, text)" => FunctionCall::new(move |stack, _, _| {
             let a1 = stack.text();
             let a0 = stack.text();
@@ -212,24 +188,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
         "list_last(text)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.text();
             let value = func::list_last(a0);
-            stack.push_text(value);
-        }),
-        "list_remove(text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::list_remove(a0, a1);
-            stack.push_text(value);
-        }),
-        "list_remove_all(text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::list_remove_all(a0, a1);
-            stack.push_text(value);
-        }),
-        "list_retain_all(text, text)" => FunctionCall::new(move |stack, _, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::list_retain_all(a0, a1);
             stack.push_text(value);
         }),
         "list_size(text)" => FunctionCall::new(move |stack, _, _| {

@@ -235,6 +235,25 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::floor(env, a0);
             stack.push_float(value);
         }),
+        "get_prefix(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::get_prefix(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "get_range(text, text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a2 = stack.text();
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::get_range(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "get_suffix(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::get_suffix(env, a0, a1);
+            stack.push_text(value);
+        }),
         "get_tree_key()" => FunctionCall::new(move |stack, env, _| {
             let value = func::get_tree_key(env);
             stack.push_text(value);
@@ -256,6 +275,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a1 = stack.text();
             let a0 = stack.text();
             let value = func::list_add(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_clean(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_clean(env, a0);
             stack.push_text(value);
         }),
         "list_from_array(bools)" => FunctionCall::new(move |stack, env, _| {
@@ -284,6 +308,24 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a1 = stack.float();
             let a0 = stack.text();
             let value = func::list_range(env, a0, a1, a2);
+            stack.push_text(value);
+        }),
+        "list_remove(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::list_remove(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_remove_all(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::list_remove_all(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_retain_all(text, text)" => FunctionCall::new(move |stack, env, _| {
+            let a1 = stack.text();
+            let a0 = stack.text();
+            let value = func::list_retain_all(env, a0, a1);
             stack.push_text(value);
         }),
         "list_terminate(text)" => FunctionCall::new(move |stack, env, _| {

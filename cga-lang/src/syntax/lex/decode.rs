@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-/// The maximum number of bytes of rules in one place. Checks take up to 400 bytes of memory for each of them. Published rule files are
+/// The maximum number of bytes of rules in one place. Checks take up to 500 bytes of memory for each of them. Published rule files are
 /// smaller.
 pub const MOST_BYTES: usize = 1_000_000;
 

@@ -15,7 +15,14 @@ impl Parser<'_> {
     /// meaning.
     pub(super) fn annotation(&mut self) -> Parsed<Option<Annotation>> {
         self.bump();
-        let Some(name) = self.take_name() else { return self.fail("the name of an annotation") };
+        let Some(name) = self.take_name() else {
+            let failed = self.fail("the name of an annotation");
+            // Of many signs in a row, the first one and the last one are reported.
+            while self.is(Sym::At) && self.nth_is(1, Sym::At) {
+                self.bump();
+            }
+            return failed;
+        };
         if !self.is(Sym::LParen) {
             return Ok(Some(Annotation { name, args: Some(Vec::new()) }));
         }

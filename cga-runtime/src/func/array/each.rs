@@ -159,10 +159,13 @@ pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Tex
         // Writing to a string cannot fail.
         let _ = a.item(number).print(&mut text).and_then(|()| b.item(number).print(&mut text));
         bytes += text.len();
-        if !env.may_write(bytes) {
+        if !env.may_print(bytes) {
             return Array::default();
         }
         values.push(Text::from(text));
+    }
+    if !env.may_write(bytes) {
+        return Array::default();
     }
     Array::new(values, rows, columns)
 }

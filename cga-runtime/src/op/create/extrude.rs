@@ -151,6 +151,10 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
 }
 
 fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
+    // Steps on slim shapes do not ask.
+    if env.ask().is_break() {
+        return;
+    }
     if let Some(wire) = shape.to_wire() {
         return extrude_edges(env, shape, &wire, how, distance);
     }
@@ -221,6 +225,16 @@ mod tests {
 
     const ALL: [ExtrudeAlong; 4] =
         [ExtrudeAlong::FaceNormal, ExtrudeAlong::VertexNormal, ExtrudeAlong::WorldUp, ExtrudeAlong::WorldUpFlatTop];
+
+    #[test]
+    fn a_run_that_has_ended_extrudes_no_mesh() {
+        let (env, mut shape) = (&mut Env::for_tests(), slope());
+        assert!(env.limit::<()>(crate::fault::LimitKind::Shapes, 1).is_break());
+        let before = shape.to_mesh();
+        extrude(env, &mut shape, Length::Absolute(1.0));
+        extrude_axis(env, &mut shape, ExtrudeAxis::X, Length::Absolute(1.0));
+        assert_eq!(before.points(), shape.to_mesh().points());
+    }
 
     /// A lot on a slope, from 0 to 3 metres high, 4 by 5 metres as seen from above.
     fn slope() -> Shape {

@@ -17,7 +17,7 @@ use crate::value::text::Text;
 /// `color("#rrggbb")` or `color("#rrggbboo")` (*color operation*). The short form keeps the opacity.
 pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
     match parse_hex(&hex) {
-        Some((color, opacity)) => shape.change_material(|material| {
+        Some((color, opacity)) => set::change_material(env, shape, |material| {
             material.color = Some(color);
             material.opacity = opacity.or(material.opacity);
         }),
@@ -31,14 +31,14 @@ pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
 /// `color(r, g, b)`, each in 0..=1 (*color operation*).
 pub fn color_rgb(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64) {
     let color = Color::new(env.finite(r, "red"), env.finite(g, "green"), env.finite(b, "blue"));
-    shape.set_color(color);
+    set::change_material(env, shape, |material| material.color = Some(color));
 }
 
 /// `color(r, g, b, opacity)`, each in 0..=1 (*color operation*).
 pub fn color_rgba(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64, opacity: f64) {
     color_rgb(env, shape, r, g, b);
     let opacity = env.finite(opacity, "opacity").clamp(0.0, 1.0);
-    shape.change_material(|material| material.opacity = Some(opacity));
+    set::change_material(env, shape, |material| material.opacity = Some(opacity));
 }
 
 /// `opacity(f)`, an old spelling of `set(material.opacity, f)` (*opacity operation*, 2019.1).
@@ -51,7 +51,7 @@ pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
 /// checker pattern, and files name the image.
 pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
     let (file, has_alpha) = image(env, file);
-    shape.change_material(|material| {
+    set::change_material(env, shape, |material| {
         let opacity = MaterialText::Map(Layer::Opacity);
         if has_alpha {
             material.set_text(opacity, file.clone());
@@ -115,7 +115,7 @@ pub enum MaterialTarget {
 /// `resetMaterial(shape | geometry | all)`: restores the defaults (*resetMaterial operation*).
 pub fn reset_material(env: &mut Env, shape: &mut Shape, target: MaterialTarget) {
     if target != MaterialTarget::Geometry && *shape.material() != Material::UNSET {
-        shape.change_material(|material| *material = Material::UNSET);
+        set::change_material(env, shape, |material| *material = Material::UNSET);
     }
     if target == MaterialTarget::Shape || shape.own_material().is_none() {
         return;

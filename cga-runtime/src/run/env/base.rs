@@ -15,14 +15,18 @@ use crate::shape::{Geometry, Shape, ShapeRef};
 const READING: usize = 2;
 
 impl Env {
-    /// The whole form of a shape, for a step that reads or changes it. Its vertices count as work.
+    /// The whole form of a shape, for a step that reads or changes it. Its vertices count as work. A mesh is left out if the run
+    /// has ended.
     #[cold]
     #[inline(never)]
     pub fn whole(&mut self, shape: &ShapeRef<'_>) -> Shape {
-        let whole = self.leaf_tables.whole(shape);
+        let mut whole = self.leaf_tables.whole(shape);
         if let Geometry::Mesh(placed) = &whole.geometry {
-            // The next step that counts ends the run.
-            let _: Flow = self.spend(READING * placed.mesh.corners().len());
+            let flow: Flow = self.spend(READING * placed.mesh.corners().len());
+            if flow.is_break() || self.ended() {
+                // The next step that counts ends the run. Steps before it have nothing to do.
+                whole.geometry = Geometry::Empty;
+            }
         }
         whole
     }

@@ -1,6 +1,6 @@
 //! The calls of functions of the rules.
 
-use super::{ENDED, Env};
+use super::Env;
 use crate::fault::{Error, LimitKind};
 use crate::geometry::work;
 use crate::run::sink::Flow;
@@ -46,13 +46,19 @@ impl Env {
         may
     }
 
+    /// Counts the work of a function that reads a text or an array of a size. Returns false if the run has ended.
+    #[inline]
+    pub fn may_read(&mut self, size: usize) -> bool {
+        (work::spend(size) || self.spend(0).is_continue()) && !self.ended()
+    }
+
     /// Ends the run because a lazy attribute or constant needs its own value.
     #[cold]
     pub(crate) fn close_cycle(&mut self, name: &Text) {
         let first = self.calls.open.iter().rposition(|open| open == name).unwrap_or(0);
         let names = self.calls.open[first..].to_vec();
         self.error.get_or_insert(Error::Cycle { names });
-        self.shapes = ENDED;
+        self.end();
     }
 
     /// Leaves a function that has reserved `stack` bytes.

@@ -6,6 +6,7 @@ use super::Env;
 use super::mesh_counts::MeshCounts;
 use crate::fault::LimitKind;
 use crate::geometry::mesh::Mesh;
+use crate::material::Material;
 use crate::run::settings::Limits;
 use crate::run::sink::Flow;
 
@@ -53,6 +54,19 @@ impl Env {
     pub(crate) fn count_leaf(&mut self, own_vertices: u64, sets: u64) -> Flow {
         let vertex = Limits::BYTES_A_VERTEX + Limits::BYTES_A_UV * sets.saturating_sub(1);
         self.count_mesh_bytes(Limits::BYTES_A_MESH.saturating_add(own_vertices.saturating_mul(vertex)))
+    }
+
+    /// Counts a look that an operation makes, with its texts.
+    pub(crate) fn count_look(&mut self, material: &Material) -> Flow {
+        if !self.counts_looks {
+            return ControlFlow::Continue(());
+        }
+        self.count_mesh_bytes(Limits::BYTES_A_LOOK.saturating_add(material.text_bytes()))
+    }
+
+    /// Counts the bytes of a text or an array that a function makes.
+    pub(crate) fn count_value_bytes(&mut self, bytes: u64) -> Flow {
+        self.count_mesh_bytes(bytes)
     }
 
     fn count_mesh_bytes(&mut self, bytes: u64) -> Flow {

@@ -23,7 +23,7 @@ use std::sync::Arc;
 use crate::fault::{Error, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Bounds;
-use crate::geometry::work::Supervisor;
+use crate::geometry::work::{self, Supervisor};
 use crate::run::report::{Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::shape_tree::builder::TreeBuilder;
@@ -83,6 +83,8 @@ pub struct Env {
     pub(crate) least_split: f64,
     /// The meshes that operations made.
     meshes: MeshCounts,
+    /// True if looks that operations make count for the limit of bytes.
+    pub(crate) counts_looks: bool,
     /// A box around everything that trim planes could cut, while a template is recorded.
     pub(crate) reach: Option<Bounds>,
     /// The functions that are being called.
@@ -146,6 +148,7 @@ impl Env {
             names,
             checkpoint: Checkpoint::first(settings),
             least_split: f64::INFINITY,
+            counts_looks: true,
             ..Env::default()
         }
     }
@@ -186,9 +189,14 @@ impl Env {
             let trail = self.trail();
             self.error.get_or_insert(Error::Limit { what, limit, trail });
         }
-        // The next count ends the run: operations and functions cannot break off by themselves.
-        self.shapes = ENDED;
+        self.end();
         ControlFlow::Break(())
+    }
+
+    /// Ends the run. The next count breaks off, as operations and functions cannot do so by themselves. Until then all work ends early.
+    fn end(&mut self) {
+        self.shapes = ENDED;
+        work::end();
     }
 
     /// Returns true if the run has ended by an error or by the watch.
