@@ -10,6 +10,9 @@ pub mod engine;
 pub mod entry;
 mod examples;
 mod facts;
+#[allow(dead_code, reason = "of the command, which has more errors")]
+#[path = "../../../cga-cli/src/features.rs"]
+mod features;
 pub mod finding;
 #[allow(dead_code, reason = "of the command, which has more errors")]
 #[path = "../../../cga-cli/src/footprints.rs"]
