@@ -14,6 +14,7 @@ use cga_runtime::run::start_rule::StartRule;
 use cga_source::FileList;
 
 use crate::call::Call;
+use crate::diagnostic::RuleDiagnostic;
 use crate::program::Program;
 use crate::run::Values;
 
@@ -47,6 +48,7 @@ pub(crate) struct Loaded {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
+    pub(crate) warning_details: Vec<RuleDiagnostic>,
     pub(crate) files: FileList,
     /// The names and texts of the rule file and of its imports.
     pub(crate) texts: Vec<(String, String)>,
@@ -56,6 +58,11 @@ impl RuleFile {
     /// The warnings about the rules, as the compiler shows them.
     pub fn warnings(&self) -> &[String] {
         &self.loaded.warnings
+    }
+
+    /// The warnings about the rules as data, in the same order.
+    pub fn warning_details(&self) -> &[RuleDiagnostic] {
+        &self.loaded.warning_details
     }
 
     /// The files on the disk that the rules depend on: programs that follow their rules watch them.
