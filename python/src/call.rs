@@ -8,7 +8,7 @@ use cga::{
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::PyMapping;
 
 use crate::errors::AttributeValueError;
 use crate::value::{coerced, from_python};
@@ -28,14 +28,13 @@ impl Call {
     pub(crate) fn new(
         rules: &RuleFile,
         assets: &Arc<Assets>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         start: Option<String>,
-        limits: Option<&Bound<'_, PyDict>>,
+        limits: Option<&Bound<'_, PyMapping>>,
         deadline: Option<f64>,
     ) -> PyResult<Self> {
         let mut values = Vec::new();
-        for (name, given) in attributes.into_iter().flatten() {
-            let name: String = name.extract()?;
+        for (name, given) in items(attributes)? {
             // None is the default.
             if given.is_none() && find(rules, &name).is_some() {
                 continue;
@@ -51,7 +50,7 @@ impl Call {
             }
             None => Limits::default(),
         };
-        let watch = match deadline.map(|seconds| Duration::try_from_secs_f64(seconds)) {
+        let watch = match deadline.map(Duration::try_from_secs_f64) {
             Some(Ok(limit)) => Watch::deadline(limit),
             Some(Err(_)) => return Err(PyValueError::new_err("the deadline is a number of seconds, as in 2.5")),
             None => Watch::new(),
@@ -96,6 +95,14 @@ impl Call {
             Err(error @ (Error::Lot { .. } | Error::Attribute { .. } | Error::StartRule { .. })) => Err(error),
             _ => Ok(()),
         }
+    }
+}
+
+/// The items of a mapping with texts as keys.
+pub(crate) fn items<'py>(mapping: Option<&Bound<'py, PyMapping>>) -> PyResult<Vec<(String, Bound<'py, PyAny>)>> {
+    match mapping {
+        Some(mapping) => mapping.items()?.iter().map(|item| item.extract()).collect(),
+        None => Ok(Vec::new()),
     }
 }
 

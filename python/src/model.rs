@@ -55,7 +55,7 @@ impl Model {
         let write = || match ending.as_str() {
             "glb" => Some(self.made.write_glb(&path)),
             "obj" => Some(self.made.write_obj(&path)),
-            "png" => Some(Picture::new(width, height).render(&*self.made).write_png(&path)),
+            "png" => Some(Picture::new(width, height).render(&self.made).write_png(&path)),
             "svg" => Some(self.made.write_svg(&path)),
             _ => None,
         };

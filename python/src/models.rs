@@ -17,6 +17,9 @@ use crate::report_table::{Fixed, ReportTable};
 use crate::reports::{Column, Statistic, columns};
 use crate::run::guarded;
 
+/// A line of a table: the numbers of lot and row, and a failure or a model.
+type Line<'f> = (usize, usize, Option<&'f Failure>, Option<Arc<Made>>);
+
 /// The models of many lots, in their order, and the lots without one: `for model in models`, `models[0]`, `len(models)`.
 #[pyclass(frozen, module = "pycga")]
 #[derive(Debug)]
@@ -71,7 +74,7 @@ impl Models {
     /// and the reported values.
     #[pyo3(signature = (*, glb=false, statistic="sum"))]
     fn table(&self, py: Python<'_>, glb: bool, statistic: &str) -> PyResult<ReportTable> {
-        let mut lines: Vec<(usize, usize, Option<&Failure>, Option<Arc<Made>>)> = Vec::new();
+        let mut lines: Vec<Line<'_>> = Vec::new();
         for model in self.models.iter().map(Py::get) {
             lines.push((model.lot, model.row, None, Some(model.made.clone())));
         }

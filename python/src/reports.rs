@@ -87,7 +87,7 @@ pub(crate) fn columns(models: &[Option<&Reports>], statistic: Statistic) -> PyRe
     let is_text = |collection: &Collection| collection.ty() == ValueType::Text;
     let mut columns: BTreeMap<(&str, bool), Column> = BTreeMap::new();
     for (at, reports) in models.iter().enumerate() {
-        for collection in reports.into_iter().copied().flatten() {
+        for collection in reports.iter().copied().flatten() {
             let id = (collection.key(), is_text(collection));
             if !columns.contains_key(&id) && MOST_CELLS < (columns.len() + 1).saturating_mul(models.len()) {
                 let why = format!("the table of reports has more than {MOST_CELLS} cells; report under fewer keys");

@@ -85,7 +85,7 @@ impl Columns {
         }
     }
 
-    fn values_of(&self, object: &Bound<'_, PyDict>) -> Result<(String, Vec<(&str, Value)>), String> {
+    fn values_of(&self, object: &Bound<'_, PyDict>) -> Result<Named<'_>, String> {
         let properties = member(object, "properties")?;
         let properties = properties.as_ref().and_then(|properties| properties.cast::<PyDict>().ok());
         let property = |name: &str| properties.map_or(Ok(None), |properties| member(properties, name));
@@ -104,6 +104,9 @@ impl Columns {
         Ok((name.map_err(|why| why.to_string())?, values))
     }
 }
+
+/// The name of a row, and the values of its attributes.
+type Named<'c> = (String, Vec<(&'c str, Value)>);
 
 /// The features of a collection: an object of GeoJSON, its text, or an object with such an interface. `None` for other objects.
 pub(crate) fn features<'py>(given: &Bound<'py, PyAny>) -> Result<Option<Vec<Bound<'py, PyAny>>>, String> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use cga::{Assets, Grammar, RuleFile as Rules, RuleFileError, RuleLoader, Watch};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyMapping};
 
 use crate::arrow_table::ArrowTable;
 use crate::attribute::{Attribute, StartRule};
@@ -144,21 +144,21 @@ impl RuleFile {
     /// `attributes` has values by name; the values of the shape win over them. `seed` is the seed of random numbers, in place of the shape's.
     /// `start` is the start rule, `limits` has limits by name, such as `{"shapes": 100_000}`, and `deadline` ends the run after some
     /// seconds. Ctrl-C ends a run, too. Other threads of Python go on meanwhile.
-    #[pyo3(signature = (shape, *, attributes=None, seed=None, start=None, limits=None, deadline=None, origin=(0.0, 0.0)))]
+    #[pyo3(signature = (shape, *, attributes=None, seed=None, start=None, limits=None, deadline=None, origin=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn generate(
         &self,
         py: Python<'_>,
         shape: &Bound<'_, PyAny>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
-        limits: Option<&Bound<'_, PyDict>>,
+        limits: Option<&Bound<'_, PyMapping>>,
         deadline: Option<f64>,
-        origin: (f64, f64),
+        origin: Option<(f64, f64)>,
     ) -> PyResult<Model> {
         let call = Call::new(&self.rules, &self.assets, attributes, start, limits, deadline)?;
-        let (initial, own) = lot(shape, origin.into())?;
+        let (initial, own) = lot(shape, origin.unwrap_or_default().into())?;
         let initial = call.lot(&self.rules, initial.seed(seed.or(own).unwrap_or_default()));
         let run = || self.rules.generate_with(&initial, &call.settings);
         let model = supervised(py, &call.watch, run)?.map_err(|why| run_error(py, &why))?;
@@ -177,20 +177,20 @@ impl RuleFile {
     ///
     /// The seed of a lot is its own one. Otherwise seeds count on from `seed`; without `seed` they follow from names, so other rows do not
     /// matter, and lots without names have their numbers. The models of all lots are kept in memory: give very large tables in parts.
-    #[pyo3(signature = (lots, *, attributes=None, seed=None, start=None, limits=None, deadline=None, threads=None, origin=(0.0, 0.0), geometry="geometry".to_owned(), name=None, columns=None))]
+    #[pyo3(signature = (lots, *, attributes=None, seed=None, start=None, limits=None, deadline=None, threads=None, origin=None, geometry="geometry", name=None, columns=None))]
     #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
     fn generate_all(
         &self,
         py: Python<'_>,
         lots: &Bound<'_, PyAny>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
-        limits: Option<&Bound<'_, PyDict>>,
+        limits: Option<&Bound<'_, PyMapping>>,
         deadline: Option<f64>,
         threads: Option<usize>,
-        origin: (f64, f64),
-        geometry: String,
+        origin: Option<(f64, f64)>,
+        geometry: &str,
         name: Option<String>,
         columns: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Models> {
@@ -199,7 +199,7 @@ impl RuleFile {
         if MOST_THREADS < threads {
             return Err(PyValueError::new_err(format!("the number of threads is at most {MOST_THREADS}")));
         }
-        let columns = Columns::new(rules, geometry, name, columns, origin.into())?;
+        let columns = Columns::new(rules, geometry.to_owned(), name, columns, origin.unwrap_or_default().into())?;
         let mut call = Call::new(rules, &self.assets, attributes, start, limits, deadline)?;
         let source = Source::of(lots, &columns)?;
         if source.has_columns {

@@ -4,8 +4,9 @@ use std::path::{Path, PathBuf};
 
 use cga::{Assets, Shape as Initial};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyMapping};
 
+use crate::call::items;
 use crate::errors::{AttributeValueError, ShapeError};
 use crate::geometry;
 use crate::outline::{Origin, Outline};
@@ -28,19 +29,18 @@ pub(crate) struct Shape {
 #[pymethods]
 impl Shape {
     #[new]
-    #[pyo3(signature = (geometry, *, name=None, attributes=None, seed=None, start=None, height=None, origin=(0.0, 0.0)))]
-    #[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+    #[pyo3(signature = (geometry, *, name=None, attributes=None, seed=None, start=None, height=None, origin=None))]
     fn new(
         geometry: &Bound<'_, PyAny>,
         name: Option<String>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
         height: Option<f64>,
-        origin: (f64, f64),
+        origin: Option<(f64, f64)>,
     ) -> PyResult<Self> {
         let outline = one(geometry::outlines(geometry).map_err(ShapeError::new_err)?)?;
-        let initial = outline.shape(origin.into(), height).map_err(ShapeError::new_err)?;
+        let initial = outline.shape(origin.unwrap_or_default().into(), height).map_err(ShapeError::new_err)?;
         Shape { initial, own_seed: None }.with(name, attributes, seed, start)
     }
 
@@ -51,7 +51,7 @@ impl Shape {
         width: f64,
         depth: f64,
         name: Option<String>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
     ) -> PyResult<Self> {
@@ -68,7 +68,7 @@ impl Shape {
         py: Python<'_>,
         path: PathBuf,
         name: Option<String>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
     ) -> PyResult<Self> {
@@ -113,7 +113,7 @@ impl Shape {
     fn with(
         self,
         name: Option<String>,
-        attributes: Option<&Bound<'_, PyDict>>,
+        attributes: Option<&Bound<'_, PyMapping>>,
         seed: Option<u64>,
         start: Option<String>,
     ) -> PyResult<Self> {
@@ -124,8 +124,7 @@ impl Shape {
         if let Some(start) = start {
             initial = initial.start(start);
         }
-        for (name, value) in attributes.into_iter().flatten() {
-            let name: String = name.extract()?;
+        for (name, value) in items(attributes)? {
             if value.is_none() {
                 continue;
             }
@@ -141,20 +140,19 @@ impl Shape {
 ///
 /// The parameters have the meaning that they have for `Shape`.
 #[pyfunction]
-#[pyo3(signature = (geometry, *, name=None, attributes=None, seed=None, start=None, height=None, origin=(0.0, 0.0)))]
-#[expect(clippy::too_many_arguments, reason = "keywords of Python")]
+#[pyo3(signature = (geometry, *, name=None, attributes=None, seed=None, start=None, height=None, origin=None))]
 pub(crate) fn shapes(
     geometry: &Bound<'_, PyAny>,
     name: Option<String>,
-    attributes: Option<&Bound<'_, PyDict>>,
+    attributes: Option<&Bound<'_, PyMapping>>,
     seed: Option<u64>,
     start: Option<String>,
     height: Option<f64>,
-    origin: (f64, f64),
+    origin: Option<(f64, f64)>,
 ) -> PyResult<Vec<Shape>> {
     let outlines = geometry::outlines(geometry).map_err(ShapeError::new_err)?;
     let shape = |(part, outline): (usize, Outline)| {
-        let initial = outline.shape(origin.into(), height).map_err(ShapeError::new_err)?;
+        let initial = outline.shape(origin.unwrap_or_default().into(), height).map_err(ShapeError::new_err)?;
         let seed = seed.map(|seed| seed.wrapping_add(part as u64));
         Shape { initial, own_seed: None }.with(name.clone(), attributes, seed, start.clone())
     };
