@@ -33,10 +33,10 @@ impl RuleFileError {
     /// The errors and warnings as data, in the same order. The list is empty if a file cannot be read.
     ///
     /// ```
-    /// let error = cga_eval::RuleFile::from_text("Lot --> extrude(3) Wal(1)\nWall --> X.").unwrap_err();
+    /// let error = cga_eval::RuleFile::from_text("Lot --> extrude(3) Wal(1").unwrap_err();
     /// let first = &error.details()[0];
-    /// assert_eq!((first.code, first.line, first.column), ("undefined_rule", 1, 20));
-    /// assert_eq!((first.is_error, first.end_column), (false, 23));
+    /// assert_eq!((first.code, first.line, first.column), ("unclosed_bracket", 1, 23));
+    /// assert_eq!((first.is_error, first.end_column), (true, 24));
     /// ```
     pub fn details(&self) -> &[RuleDiagnostic] {
         &self.details

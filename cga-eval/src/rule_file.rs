@@ -50,6 +50,8 @@ pub(crate) struct Loaded {
     pub(crate) warnings: Vec<String>,
     pub(crate) warning_details: Vec<RuleDiagnostic>,
     pub(crate) files: FileList,
+    /// The name of the rule file among its texts.
+    pub(crate) file: String,
     /// The names and texts of the rule file and of its imports.
     pub(crate) texts: Vec<(String, String)>,
 }
@@ -68,6 +70,21 @@ impl RuleFile {
     /// The files on the disk that the rules depend on: programs that follow their rules watch them.
     pub fn files(&self) -> &FileList {
         &self.loaded.files
+    }
+
+    /// The name of the rule file in [`texts`](RuleFile::texts). [`RuleLoader::memory_file`](crate::RuleLoader::memory_file) loads the rules again
+    /// from these texts, for example in another process.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let rules = RuleLoader::new().with_file("lib.cga", "Wall --> X.").text("import lib : \"lib.cga\"  Lot --> lib.Wall")?;
+    /// let loader = rules.texts().fold(RuleLoader::new(), |loader, (name, text)| loader.with_file(name, text));
+    /// assert!(loader.memory_file(rules.file())?.texts().eq(rules.texts()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn file(&self) -> &str {
+        &self.loaded.file
     }
 
     /// The names and texts of the rule file and of the files that it imports, sorted by name. A program that keeps results compares them to

@@ -208,7 +208,9 @@ impl RuleLoader {
             }
         };
         let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
-        let compiled = compile(files.unit(number), &mut files, &levels);
+        let unit = files.unit(number);
+        let file = unit.name.clone();
+        let compiled = compile(unit, &mut files, &levels);
         let shown = |diags: &[Diag]| shown(&compiled, &files, diags);
         let error = |diags: &[Diag]| {
             let details = shown(diags);
@@ -231,6 +233,7 @@ impl RuleLoader {
                 warnings: texts(&warning_details),
                 warning_details,
                 files: list,
+                file,
                 texts: files.into_texts(),
             }),
         })

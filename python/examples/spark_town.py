@@ -12,25 +12,15 @@ from pyspark.sql import SparkSession
 import pycga
 
 TEXT = Path(__file__).with_name("house.cga").read_text()
-SCHEMA = "row long, name string, error string, glb binary, `floor area` double, wall string"
+TYPES = {"row": pa.int64(), "name": pa.string(), "error": pa.string(), "glb": pa.binary(), "floor area": pa.float64()}
+SCHEMA = "row long, name string, error string, glb binary, `floor area` double"
 
 
 def build(batches: Iterable[pa.RecordBatch]) -> Iterator[pa.RecordBatch]:
     rules = pycga.RuleFile.from_text(TEXT, name="house")
-    types = pa.schema(
-        [
-            ("row", pa.int64()),
-            ("name", pa.string()),
-            ("error", pa.string()),
-            ("glb", pa.binary()),
-            ("floor area", pa.float64()),
-            ("wall", pa.string()),
-        ]
-    )
     for batch in batches:
-        models = rules.generate_all(pa.table(batch), name="id", threads=1)
-        table = pa.table(models.table(glb=True))
-        yield from table.select(types.names).cast(types).to_batches()
+        table = pa.table(rules.generate_all(pa.table(batch), name="id", threads=1).table(glb=True))
+        yield from table.select(list(TYPES)).cast(pa.schema(TYPES)).to_batches()
 
 
 os.environ["PYSPARK_PYTHON"] = sys.executable

@@ -23,6 +23,11 @@ pub(crate) struct ArrowTable {
 impl ArrowTable {
     /// The table of an object with `__arrow_c_stream__`; `None` for other objects.
     pub(crate) fn of(given: &Bound<'_, PyAny>) -> PyResult<Option<Self>> {
+        // The stream of a GeoDataFrame itself is the stream of pandas, which knows no geometries.
+        let given = match (given.getattr_opt("__geo_interface__").ok().flatten(), given.getattr_opt("to_arrow")?) {
+            (Some(_), Some(to_arrow)) => to_arrow.call0()?,
+            _ => given.clone(),
+        };
         if given.getattr_opt("__arrow_c_stream__")?.is_none() {
             return Ok(None);
         }

@@ -37,8 +37,6 @@ pub(crate) struct RuleFile {
     rules: Rules,
     assets: Arc<Assets>,
     folder: Option<PathBuf>,
-    /// The name of the file among its texts.
-    file: String,
 }
 
 type Texts = BTreeMap<String, String>;
@@ -62,7 +60,7 @@ impl RuleFile {
         if let Some(root) = root {
             loader = loader.root(root);
         }
-        RuleFile::load(py, assets, path.to_string_lossy().replace('\\', "/"), || loader.open(&path))
+        RuleFile::load(py, assets, || loader.open(&path))
     }
 
     /// Rules from text. `name` is the name of the grammar, and of the file in messages. `imports` has the texts of imported files by name.
@@ -90,13 +88,13 @@ impl RuleFile {
     #[pyo3(name = "_rebuild")]
     fn rebuild(py: Python<'_>, name: String, file: String, texts: Texts, assets: Option<PathBuf>) -> PyResult<Self> {
         let loader = loader(texts).named(name);
-        RuleFile::load(py, assets, file.clone(), || loader.memory_file(&file))
+        RuleFile::load(py, assets, || loader.memory_file(&file))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Rebuilt)> {
         let rebuild = py.get_type::<RuleFile>().getattr("_rebuild")?;
         let texts = self.texts();
-        Ok((rebuild, (self.rules.name().to_owned(), self.file.clone(), texts, self.folder.clone())))
+        Ok((rebuild, (self.rules.name().to_owned(), self.rules.file().to_owned(), texts, self.folder.clone())))
     }
 
     /// The name of the grammar.
@@ -238,7 +236,6 @@ impl RuleFile {
     fn load(
         py: Python<'_>,
         folder: Option<PathBuf>,
-        file: String,
         load: impl FnOnce() -> Result<Rules, RuleFileError> + Send,
     ) -> PyResult<Self> {
         if let Some(folder) = folder.as_ref().filter(|folder| !folder.is_dir()) {
@@ -246,7 +243,7 @@ impl RuleFile {
         }
         let rules = supervised(py, &Watch::new(), load)?.map_err(|why| rule_error(py, &why))?;
         let assets = Arc::new(folder.as_ref().map_or_else(Assets::new, Assets::below));
-        Ok(RuleFile { rules, assets, folder, file })
+        Ok(RuleFile { rules, assets, folder })
     }
 }
 

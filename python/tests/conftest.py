@@ -29,3 +29,9 @@ def box() -> pycga.RuleFile:
     return pycga.RuleFile.from_text(
         "attr height = 5  Lot --> extrude(height) comp(f) { front : Front. | side : Side. | top : Top. | bottom : Bottom. }", name="box"
     )
+
+
+@pytest.fixture(scope="session")
+def solid() -> pycga.RuleFile:
+    """A box as one part, which has a volume."""
+    return pycga.RuleFile.from_text("attr height = 5  Lot --> extrude(height) Solid.", name="solid")

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import EXAMPLES
 
 import pycga
-from conftest import EXAMPLES
 
 COMMAND = os.environ.get("CGA_COMMAND")
 pytestmark = pytest.mark.skipif(COMMAND is None, reason="CGA_COMMAND is not set")
@@ -46,13 +46,16 @@ def test_a_town_has_the_bytes_of_the_command(tmp_path: Path, house: pycga.RuleFi
     boxes.append([(0.0, high[1] - size / 4), (size / 4, high[1] - size / 4), (size / 4, high[1]), (0.0, high[1])])
 
     def collection(rings: list[Any]) -> dict[str, Any]:
-        feature = lambda number, ring: {  # noqa: E731
-            "type": "Feature",
-            "id": f"lot {number}",
-            "properties": {"height": 6 + number},
-            "geometry": {"type": "Polygon", "coordinates": [[*ring, ring[0]]]},
-        }
-        return {"type": "FeatureCollection", "features": [feature(number, ring) for number, ring in enumerate(rings)]}
+        features = [
+            {
+                "type": "Feature",
+                "id": f"lot {number}",
+                "properties": {"height": 6 + number},
+                "geometry": {"type": "Polygon", "coordinates": [[*ring, ring[0]]]},
+            }
+            for number, ring in enumerate(rings)
+        ]
+        return {"type": "FeatureCollection", "features": features}
 
     (tmp_path / "town.geojson").write_text(json.dumps(collection(boxes)))
     expected = made(tmp_path, "--footprint", str(tmp_path / "town.geojson"), "--seed", "5")

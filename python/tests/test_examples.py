@@ -7,7 +7,6 @@ import sys
 from pathlib import Path
 
 import pytest
-
 from conftest import EXAMPLES
 
 NEEDS = {
@@ -18,7 +17,7 @@ NEEDS = {
     "blender_house.py": ["bpy"],
 }
 SAYS = {
-    "hello.py": "floor area: 768.0 m²",
+    "hello.py": "floor area: 816.0 m²",
     "geopandas_town.py": "100 houses,",
     "ray_town.py": "1000 rows",
     "spark_town.py": "1000",

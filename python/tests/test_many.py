@@ -45,7 +45,7 @@ def test_a_thousand_lots_are_equal_with_any_number_of_threads(house: pycga.RuleF
 
 
 def test_lots_that_fail_are_data(box: pycga.RuleFile) -> None:
-    deep = pycga.RuleFile.from_text("attr n = 1  Lot --> case n > 5 : Deep(n) else : extrude(2) X.  Deep(n) --> Deep(n + 1)")
+    deep = pycga.RuleFile.from_text("attr n = 1  Lot --> case n > 5 : Deep(n) else : extrude(2) X.  Deep(m) --> case m < 0 : X. else : Deep(m + 1)")
     given: list[Any] = [
         pycga.Shape.rectangle(2, 2, name="good"),
         [(0, 0), (1, 1)],

@@ -29,11 +29,11 @@ def test_areas_of_meshes_add_up(house: pycga.RuleFile, by: str) -> None:
 
 
 def test_volumes_of_meshes_add_up(box: pycga.RuleFile) -> None:
-    solid = pycga.RuleFile.from_text("Lot --> extrude(5) split(x) { ~1 : A. | ~2 : B. }")
-    model = solid.generate(LOT)
-    assert sum(volume(mesh) for mesh in model.meshes()) == pytest.approx(model.volume) == pytest.approx(5 * (180 + 12))
+    parts = pycga.RuleFile.from_text("Lot --> extrude(5) split(x) { ~1 : A. | ~2 : B. }")
+    model = parts.generate(LOT)
+    assert sum(volume(mesh) for mesh in model.meshes()) == pytest.approx(model.volume) == pytest.approx(5 * 204)
     # The faces of a box enclose it, although each is a part of its own.
-    assert sum(volume(mesh) for mesh in box.generate(LOT).meshes()) == pytest.approx(5 * (180 + 12))
+    assert sum(volume(mesh) for mesh in box.generate(LOT).meshes()) == pytest.approx(5 * 204)
 
 
 def test_meshes_have_rows_of_numbers(house: pycga.RuleFile) -> None:

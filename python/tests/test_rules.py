@@ -2,12 +2,13 @@
 
 import multiprocessing
 import pickle
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
 import pytest
+from conftest import EXAMPLES
 
 import pycga
-from conftest import EXAMPLES
 
 TYPES = """
 /// How high it is.
@@ -133,8 +134,8 @@ def test_a_missing_file_is_an_error_with_a_diagnostic(tmp_path: Path) -> None:
 
 
 def test_warnings_are_data() -> None:
-    rules = pycga.RuleFile.from_text("attr unused = 1  Lot --> X.")
-    assert [(one.level, one.code, one.line) for one in rules.warnings] == [("warning", "unused_attribute", 1)]
+    rules = pycga.RuleFile.from_text("Lot --> extrude(3) Wal")
+    assert [(one.level, one.code, one.line) for one in rules.warnings] == [("warning", "undefined_rule", 1)]
 
 
 def test_imports_are_in_memory_or_on_the_disk(tmp_path: Path) -> None:
@@ -169,6 +170,6 @@ def bytes_in_process(rules: pycga.RuleFile, width: float) -> bytes:
 
 def test_other_processes_make_the_same_bytes(house: pycga.RuleFile) -> None:
     widths = [10.0, 12.0, 14.0]
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        made = pool.starmap(bytes_in_process, [(house, width) for width in widths])
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
+        made = list(pool.map(bytes_in_process, [house] * 3, widths))
     assert made == [bytes_in_process(house, width) for width in widths]

@@ -43,10 +43,10 @@ FORMS: dict[str, Any] = {
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_all_forms_of_a_polygon_are_equal(box: pycga.RuleFile, form: str) -> None:
+def test_all_forms_of_a_polygon_are_equal(box: pycga.RuleFile, solid: pycga.RuleFile, form: str) -> None:
     expected = box.generate([RING, HOLE])
     assert box.generate(FORMS[form]).to_glb() == expected.to_glb()
-    assert box.generate(pycga.Shape(FORMS[form])).volume == pytest.approx((60 - 4) * 5)
+    assert solid.generate(pycga.Shape(FORMS[form])).volume == pytest.approx((60 - 4) * 5)
 
 
 def test_a_ring_alone_is_a_polygon(box: pycga.RuleFile) -> None:
@@ -82,20 +82,20 @@ def test_a_lot_stands_at_its_lowest_corner(box: pycga.RuleFile) -> None:
     assert bounds is not None and bounds[0][1] == -3.0
 
 
-def test_each_polygon_of_several_is_a_lot(box: pycga.RuleFile) -> None:
+def test_each_polygon_of_several_is_a_lot(solid: pycga.RuleFile) -> None:
     several = shapely.MultiPolygon([shapely.box(0, 0, 2, 3), shapely.box(10, 0, 14, 3)])
     lots = pycga.shapes(several, name="pair", seed=5, attributes={"height": 2})
     assert [(lot.name, lot.seed) for lot in lots] == [("pair", 5), ("pair", 6)]
-    assert [box.generate(lot).volume for lot in lots] == [12.0, 24.0]
+    assert [solid.generate(lot).volume for lot in lots] == [12.0, 24.0]
     with pytest.raises(pycga.ShapeError, match="2 polygons"):
-        box.generate(several)
-    models = box.generate_all([several, RING])
+        solid.generate(several)
+    models = solid.generate_all([several, RING])
     assert [(model.row, model.lot) for model in models] == [(0, 0), (0, 1), (1, 2)]
 
 
-def test_a_mesh_of_a_file_is_a_lot(box: pycga.RuleFile, tmp_path: Path) -> None:
+def test_a_mesh_of_a_file_is_a_lot(solid: pycga.RuleFile, tmp_path: Path) -> None:
     (tmp_path / "lot.obj").write_text("v 0 0 0\nv 0 0 3\nv 4 0 3\nv 4 0 0\nf 1 2 3 4\n")
-    assert box.generate(pycga.Shape.from_mesh(tmp_path / "lot.obj", attributes={"height": 2})).volume == 24.0
+    assert solid.generate(pycga.Shape.from_mesh(tmp_path / "lot.obj", attributes={"height": 2})).volume == 24.0
     with pytest.raises(pycga.ShapeError, match="cannot read"):
         pycga.Shape.from_mesh(tmp_path / "none.obj")
 
