@@ -1,5 +1,7 @@
 //! Tables of Arrow: their columns are borrowed, and rows become lots without the interpreter lock.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use arrow_array::cast::AsArray;
 use arrow_array::types::Float64Type;
 use arrow_array::{Array as _, ArrayRef, BooleanArray, Float64Array, LargeListArray, LargeStringArray, RecordBatch};
@@ -10,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3_arrow::PyRecordBatchReader;
 use rayon::prelude::*;
 
+use crate::errors::panicked;
 use crate::outline::Outline;
 use crate::rows::{Columns, Row};
 use crate::value::coerced;
@@ -31,7 +34,8 @@ impl ArrowTable {
         if given.getattr_opt("__arrow_c_stream__")?.is_none() {
             return Ok(None);
         }
-        let (batches, _) = given.extract::<PyRecordBatchReader>()?.into_table()?.into_inner();
+        let read = || Ok::<_, PyErr>(given.extract::<PyRecordBatchReader>()?.into_table()?.into_inner());
+        let (batches, _) = catch_unwind(AssertUnwindSafe(read)).map_err(|_| panicked(given.py()))??;
         Ok(Some(ArrowTable { batches }))
     }
 

@@ -15,6 +15,7 @@ pub(crate) struct Mesh {
     rule: Option<String>,
     /// The number of the building in the model; `None` if they belong to several.
     building: Option<usize>,
+    /// The material of all triangles.
     material: Material,
     /// N × 3 of float32: x, y up and z, in metres from `origin`.
     positions: Py<PyArray2<f32>>,

@@ -1,6 +1,10 @@
 //! Polygons of maps, before they are lots.
 
+use std::panic::catch_unwind;
+
 use cga::Shape;
+
+use crate::errors::PANIC;
 
 /// The most corners of the polygons of a row. More are a coastline and not a lot.
 pub(crate) const MOST_CORNERS: usize = 20_000;
@@ -46,7 +50,9 @@ impl Outline {
         let Some((outer, holes)) = self.rings.split_first() else { return Err("the polygon is empty".to_owned()) };
         let holes: Vec<_> = holes.iter().map(corners).collect();
         let height = height.or(self.height).unwrap_or_default();
-        let shape = Shape::footprint(&corners(outer), &holes).map_err(|why| why.to_string())?;
+        let outer = corners(outer);
+        let made = catch_unwind(|| Shape::footprint(&outer, &holes)).map_err(|_| PANIC.to_owned())?;
+        let shape = made.map_err(|why| why.to_string())?;
         if !height.is_finite() {
             return Err("the height is not finite".to_owned());
         }

@@ -4,6 +4,7 @@ import multiprocessing
 import pickle
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 from conftest import EXAMPLES
@@ -51,7 +52,7 @@ def test_attributes_have_types_defaults_ranges_and_descriptions(types: pycga.Rul
 def test_values_reach_the_rules_and_come_back(types: pycga.RuleFile) -> None:
     import numpy as np
 
-    values = {
+    values: dict[str, Any] = {
         "height": np.float32(7.5),
         "wall": "stone",
         "lit": np.bool_(False),
@@ -89,8 +90,8 @@ def test_values_reach_the_rules_and_come_back(types: pycga.RuleFile) -> None:
         ({"wall": "\ud800"}, "attribute `wall`: UnicodeEncodeError"),
     ],
 )
-def test_wrong_values_are_named(types: pycga.RuleFile, values: dict[str, object], message: str) -> None:
-    for run in (lambda: types.generate(LOT, attributes=values), lambda: types.generate_all([LOT], attributes=values)):  # type: ignore[arg-type]
+def test_wrong_values_are_named(types: pycga.RuleFile, values: dict[str, Any], message: str) -> None:
+    for run in (lambda: types.generate(LOT, attributes=values), lambda: types.generate_all([LOT], attributes=values)):
         with pytest.raises(pycga.AttributeValueError) as raised:
             run()
         assert message in str(raised.value)
