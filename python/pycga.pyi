@@ -36,7 +36,7 @@ __version__: str
 _Path: TypeAlias = str | PathLike[str]
 _Scalar: TypeAlias = float | bool | str | np.generic
 _Value: TypeAlias = _Scalar | Sequence[_Scalar] | Sequence[Sequence[_Scalar]] | NDArray[Any]
-# What Python objects have as values of attributes.
+# Values of attributes as Python objects.
 _Read: TypeAlias = float | bool | str | list[float] | list[bool] | list[str] | list[list[float]] | list[list[bool]] | list[list[str]]
 _Point: TypeAlias = tuple[float, float]
 

@@ -24,6 +24,7 @@ mod rows;
 mod rule_file;
 mod run;
 mod shape;
+mod source;
 mod value;
 mod wkb;
 

@@ -5,22 +5,21 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use cga::{Assets, Grammar, RuleFile as Rules, RuleFileError, RuleLoader, Watch};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping};
 
-use crate::arrow_table::ArrowTable;
 use crate::attribute::{Attribute, StartRule};
 use crate::call::Call;
 use crate::diagnostic::{Diagnostic, rule_error};
-use crate::errors::{AttributeValueError, RunError, ShapeError, late, run_error};
+use crate::errors::{AttributeValueError, RunError, late, run_error};
 use crate::jobs::{Done, in_pool, jobs, run_all};
 use crate::model::Model;
 use crate::models::Models;
-use crate::rows::{Columns, Row, features, row_of};
+use crate::rows::Columns;
 use crate::run::supervised;
 use crate::shape::lot;
-use crate::value::{elements, plain, type_name};
+use crate::source::Source;
 
 /// The most threads of a call.
 const MOST_THREADS: usize = 1024;
@@ -256,40 +255,4 @@ enum Refused {
     Run(cga::Error),
     Column(String),
     Threads(String),
-}
-
-/// The lots of a call.
-struct Source {
-    rows: Vec<Row>,
-    /// The table that has the rows instead.
-    table: Option<ArrowTable>,
-    /// True if values come from columns or properties.
-    has_columns: bool,
-}
-
-impl Source {
-    fn of(lots: &Bound<'_, PyAny>, columns: &Columns) -> PyResult<Self> {
-        if let Some(table) = ArrowTable::of(lots)? {
-            return Ok(Source { rows: Vec::new(), table: Some(table), has_columns: true });
-        }
-        let plain = plain(lots).map_err(ShapeError::new_err)?;
-        let (list, has_columns) = match elements(&plain) {
-            Some(list) => (list, false),
-            None => match features(lots).map_err(ShapeError::new_err)? {
-                Some(features) => (features, true),
-                None => {
-                    let why = "give a list of shapes, a FeatureCollection, or a table of Arrow";
-                    return Err(PyTypeError::new_err(format!("{} has no lots; {why}", type_name(lots))));
-                }
-            },
-        };
-        let mut rows = Vec::with_capacity(list.len());
-        for (at, given) in list.iter().enumerate() {
-            if at % 1024 == 0 {
-                lots.py().check_signals()?;
-            }
-            rows.push(row_of(given, columns));
-        }
-        Ok(Source { rows, table: None, has_columns })
-    }
 }

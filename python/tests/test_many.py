@@ -90,6 +90,15 @@ def test_tables_collections_and_frames_are_equal(house: pycga.RuleFile) -> None:
         assert models[9].attributes["height"] == 3.0 and models[8].attributes["height"] == 11.0
 
 
+def test_polars_has_tables_too(house: pycga.RuleFile) -> None:
+    polars = pytest.importorskip("polars")
+    own = rows(20)
+    frame = polars.DataFrame({**own, "geometry": list(shapely.to_wkb(own["geometry"]))})
+    models = house.generate_all(frame, name="id")
+    assert [model.to_glb() for model in models] == [model.to_glb() for model in house.generate_all(table(20), name="id")]
+    assert polars.DataFrame(models.table())["floor area"].to_list() == models.reports()["floor area"].tolist()
+
+
 def test_columns_of_other_names_types_and_nulls_set_attributes() -> None:
     rules = pycga.RuleFile.from_text(
         'attr h = 1  attr lit = false  attr kind = "a"  attr list = [0]  attr names = [""]  Lot --> print(h) print(lit) print(kind) print(list) print(names) X.'

@@ -82,6 +82,13 @@ def test_a_lot_stands_at_its_lowest_corner(box: pycga.RuleFile) -> None:
     assert bounds is not None and bounds[0][1] == -3.0
 
 
+def test_m_is_left_out(box: pycga.RuleFile) -> None:
+    for kind, numbers, height in [(3, (), 0.0), (2003, (9.0,), 0.0), (1003, (7.0,), 7.0), (3003, (7.0, 9.0), 7.0), (0x4000_0003, (9.0,), 0.0)]:
+        corners = [struct.pack("<dd" + "d" * len(numbers), x, y, *numbers) for x, y in RING]
+        bounds = box.generate(struct.pack("<BIII", 1, kind, 1, 4) + b"".join(corners)).bounds
+        assert bounds == ([0.0, height, -6.0], [10.0, height + 5.0, 0.0])
+
+
 def test_each_polygon_of_several_is_a_lot(solid: pycga.RuleFile) -> None:
     several = shapely.MultiPolygon([shapely.box(0, 0, 2, 3), shapely.box(10, 0, 14, 3)])
     lots = pycga.shapes(several, name="pair", seed=5, attributes={"height": 2})
