@@ -24,8 +24,8 @@ use cga::{
     ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
     Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef,
-    ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
+    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode,
+    ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
