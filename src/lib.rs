@@ -42,7 +42,7 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 #[cfg(feature = "eval")]
-pub use cga_eval::{FileList, RuleFile, RuleFileError, RuleLoader};
+pub use cga_eval::{FileList, RuleDiagnostic, RuleFile, RuleFileError, RuleLoader};
 #[cfg(feature = "live")]
 pub use cga_eval::{Live, LiveError};
 #[cfg(not(rust_analyzer))]

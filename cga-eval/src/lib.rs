@@ -5,6 +5,7 @@ mod call;
 mod code;
 mod compile;
 mod current;
+mod diagnostic;
 mod dispatch;
 mod error;
 #[cfg(feature = "live")]
@@ -21,6 +22,7 @@ mod tables;
 mod watch;
 
 pub use cga_source::FileList;
+pub use diagnostic::RuleDiagnostic;
 pub use error::RuleFileError;
 #[cfg(feature = "live")]
 pub use live::{Live, LiveError};

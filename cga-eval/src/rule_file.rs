@@ -14,6 +14,7 @@ use cga_runtime::run::start_rule::StartRule;
 use cga_source::FileList;
 
 use crate::call::Call;
+use crate::diagnostic::RuleDiagnostic;
 use crate::program::Program;
 use crate::run::Values;
 
@@ -47,7 +48,10 @@ pub(crate) struct Loaded {
     pub(crate) attributes: Vec<Attribute>,
     pub(crate) about: Text,
     pub(crate) warnings: Vec<String>,
+    pub(crate) warning_details: Vec<RuleDiagnostic>,
     pub(crate) files: FileList,
+    /// The name of the rule file among its texts.
+    pub(crate) file: String,
     /// The names and texts of the rule file and of its imports.
     pub(crate) texts: Vec<(String, String)>,
 }
@@ -58,9 +62,29 @@ impl RuleFile {
         &self.loaded.warnings
     }
 
+    /// The warnings about the rules as data, in the same order.
+    pub fn warning_details(&self) -> &[RuleDiagnostic] {
+        &self.loaded.warning_details
+    }
+
     /// The files on the disk that the rules depend on: programs that follow their rules watch them.
     pub fn files(&self) -> &FileList {
         &self.loaded.files
+    }
+
+    /// The name of the rule file in [`texts`](RuleFile::texts). [`RuleLoader::memory_file`](crate::RuleLoader::memory_file) loads the rules again
+    /// from these texts, for example in another process.
+    ///
+    /// ```
+    /// use cga_eval::RuleLoader;
+    ///
+    /// let rules = RuleLoader::new().with_file("lib.cga", "Wall --> X.").text("import lib : \"lib.cga\"  Lot --> lib.Wall")?;
+    /// let loader = rules.texts().fold(RuleLoader::new(), |loader, (name, text)| loader.with_file(name, text));
+    /// assert!(loader.memory_file(rules.file())?.texts().eq(rules.texts()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn file(&self) -> &str {
+        &self.loaded.file
     }
 
     /// The names and texts of the rule file and of the files that it imports, sorted by name. A program that keeps results compares them to

@@ -9,12 +9,13 @@ use cga_lang::compile::{Compiled, compile};
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Diag, Level};
 use cga_lang::ir::plan::RunPlan;
-use cga_lang::snippet::{Lines, render_in};
+use cga_lang::snippet::Lines;
 use cga_runtime::rt::{Shape, Text, Value};
 use cga_source::RuleFiles;
 
 use crate::code::HostOperation;
 use crate::compile::{Registered, program};
+use crate::diagnostic::RuleDiagnostic;
 use crate::error::RuleFileError;
 use crate::rule_file::{Loaded, RuleFile};
 use crate::tables::{attributes, tables};
@@ -207,16 +208,21 @@ impl RuleLoader {
             }
         };
         let levels = self.levels.iter().map(level).collect::<Result<Vec<_>, _>>()?;
-        let compiled = compile(files.unit(number), &mut files, &levels);
+        let unit = files.unit(number);
+        let file = unit.name.clone();
+        let compiled = compile(unit, &mut files, &levels);
         let shown = |diags: &[Diag]| shown(&compiled, &files, diags);
-        let error = |diags: &[Diag]| RuleFileError { diagnostics: shown(diags), files: files.list().clone() };
+        let error = |diags: &[Diag]| {
+            let details = shown(diags);
+            RuleFileError { diagnostics: texts(&details), details, files: files.list().clone() }
+        };
         let Some(grammar) = &compiled.grammar else { return Err(error(&compiled.diags)) };
         let plan = RunPlan::new(grammar);
         let program = program(grammar, &plan, &self.registered).map_err(|problems| error(&problems))?;
         let defaults: Vec<Option<Value>> = program.fields.iter().map(|field| field.known.clone()).collect();
         let attributes = attributes(grammar, &defaults);
         let warnings: Vec<Diag> = compiled.diags.iter().filter(|diag| diag.level == Level::Warning).cloned().collect();
-        let (warnings, list) = (shown(&warnings), files.list().clone());
+        let (warning_details, list) = (shown(&warnings), files.list().clone());
         Ok(RuleFile {
             values: defaults.as_slice().into(),
             loaded: Arc::new(Loaded {
@@ -224,8 +230,10 @@ impl RuleLoader {
                 attributes,
                 about: Text::from(grammar.about.as_str()),
                 program: Arc::new(program),
-                warnings,
+                warnings: texts(&warning_details),
+                warning_details,
                 files: list,
+                file,
                 texts: files.into_texts(),
             }),
         })
@@ -255,8 +263,8 @@ impl RuleFile {
     }
 }
 
-/// Diagnostics as text, as the compiler shows them.
-fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> {
+/// Diagnostics as data, with the text that the compiler shows.
+fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<RuleDiagnostic> {
     let is_inline = |diag: &Diag| files.is_inline() && compiled.locate(diag.span.first).0 == 0;
     let spelled = |diag: &Diag| diag.spelled(if is_inline(diag) { '^' } else { '\'' });
     let lines: Vec<OnceCell<Lines<'_>>> = compiled.files.iter().map(|_| OnceCell::new()).collect();
@@ -264,6 +272,11 @@ fn shown(compiled: &Compiled, files: &RuleFiles, diags: &[Diag]) -> Vec<String> 
     diags
         .iter()
         .filter(|diag| diag.level != Level::Allow)
-        .map(|diag| render_in(compiled, &quote, &spelled(diag)))
+        .map(|diag| RuleDiagnostic::new(compiled, &quote, &spelled(diag)))
         .collect()
+}
+
+/// Diagnostics as text.
+fn texts(details: &[RuleDiagnostic]) -> Vec<String> {
+    details.iter().map(|detail| detail.text.clone()).collect()
 }

@@ -103,6 +103,7 @@ const CRATES: &[Layers] = &[
             "tables",
             "compile",
             "run",
+            "diagnostic",
             "error",
             "rule_file",
             "rule_loader",

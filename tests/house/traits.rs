@@ -24,8 +24,8 @@ use cga::{
     ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
     Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode, ShapeRef,
-    ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
+    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode,
+    ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
@@ -57,7 +57,7 @@ fn public_types_have_the_common_traits() {
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
     each!(data: Axes, ColorOf, Cuboid, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);
-    each!(data: Camera, Image, Limits, Picture, Projection, Style, Svg, Viewpoint);
+    each!(data: Camera, Image, Limits, Picture, Projection, RuleDiagnostic, Style, Svg, Viewpoint);
     each!(data: Centerline, Network, NetworkOptions, NetworkPart, Item, Piece, Prefix, Size);
     each!(choice: Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);
     each!(choice: MaterialNumber, MaterialText, PartId, Side, UvAxis, ValueType, WrongLots);
