@@ -70,11 +70,6 @@ pub fn ask() -> bool {
     goes_on
 }
 
-/// Ends the work of this thread, until its supervisor is dropped.
-pub fn end() {
-    MAY_GO_ON.set(false);
-}
-
 #[cfg(test)]
 mod tests {
     use std::rc::Rc;

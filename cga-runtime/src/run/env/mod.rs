@@ -23,7 +23,7 @@ use std::sync::Arc;
 use crate::fault::{Error, LimitKind};
 use crate::geometry::Frame;
 use crate::geometry::mesh::Bounds;
-use crate::geometry::work::{self, Supervisor};
+use crate::geometry::work::Supervisor;
 use crate::run::report::{Prints, Reports};
 use crate::run::settings::{Limits, Settings};
 use crate::run::shape_tree::builder::TreeBuilder;
@@ -193,10 +193,10 @@ impl Env {
         ControlFlow::Break(())
     }
 
-    /// Ends the run. The next count breaks off, as operations and functions cannot do so by themselves. Until then all work ends early.
+    /// Ends the run. The next count breaks off, as operations and functions cannot do so by themselves. Work of the thread goes on: a
+    /// template whose recording reaches a limit is derived again.
     fn end(&mut self) {
         self.shapes = ENDED;
-        work::end();
     }
 
     /// Returns true if the run has ended by an error or by the watch.
