@@ -1,8 +1,8 @@
 //! Lots from the polygons of a GeoJSON file, in metres around their middle.
 
 use cga::{Error, Grammar, Settings, Shape, Text, Value, ValueType};
-use geo_types::{Coord, Geometry, LineString, MultiPolygon, Polygon};
-use geojson::{Feature, JsonValue};
+use geo_types::{Coord, LineString, Polygon};
+use geojson::{Feature, GeometryValue, JsonValue, Position};
 
 use crate::features::features;
 
@@ -25,7 +25,7 @@ impl Notes {
     }
 }
 
-/// The lots of a file, with a note for each feature that has none and for each property that is not read. Lots have seeds from `seed` on, in
+/// The lots of a file, with a note for each feature or part of one that has none and for each property that is not read. Lots have seeds from `seed` on, in
 /// the order of the file: each polygon counts, so that lots keep their seeds if others cannot be used. The list may be empty.
 ///
 /// # Errors
@@ -37,8 +37,11 @@ pub(crate) fn lots(text: &str, grammar: &dyn Grammar, seed: u64, notes: &mut Not
     let mut count = 0;
     for (number, feature) in features.iter().enumerate() {
         match feature.as_ref().map_err(Clone::clone).map(of_feature) {
-            Ok(Polygons::Of(list)) => {
-                for polygon in list {
+            Ok(Polygons::Of(parts)) => {
+                for kind in parts.others {
+                    notes.add(format!("{}: a {kind} of its collection is left out", label(feature, number)));
+                }
+                for polygon in parts.polygons {
                     polygons.push((count, number, polygon));
                     count += 1;
                 }
@@ -87,8 +90,8 @@ fn is_in_degrees(polygon: &Polygon) -> bool {
 
 /// The polygons of a feature, or the reason why it has none.
 enum Polygons {
-    Of(MultiPolygon),
-    /// The feature is of another kind, as a map has them beside polygons.
+    Of(Parts),
+    /// The feature has no polygon, as points and lines of a map.
     None(String),
     /// The feature is broken.
     Wrong(String),
@@ -97,13 +100,63 @@ enum Polygons {
 /// The polygons of a feature.
 fn of_feature(feature: &Feature) -> Polygons {
     let Some(geometry) = &feature.geometry else { return Polygons::None("it has no geometry".to_owned()) };
-    let kind = geometry.value.type_name();
-    match Geometry::<f64>::try_from(geometry) {
-        Ok(Geometry::Polygon(polygon)) => Polygons::Of(polygon.into()),
-        Ok(Geometry::MultiPolygon(list)) => Polygons::Of(list),
-        Ok(_) => Polygons::None(format!("a {kind} is not a polygon")),
-        Err(why) => Polygons::Wrong(why.to_string()),
+    let mut parts = Parts::default();
+    if let Err(why) = parts.add(geometry) {
+        return Polygons::Wrong(why);
     }
+    match &geometry.value {
+        _ if !parts.polygons.is_empty() => Polygons::Of(parts),
+        GeometryValue::MultiPolygon { .. } | GeometryValue::GeometryCollection { .. } => {
+            Polygons::None("it has no polygon".to_owned())
+        }
+        other => Polygons::None(format!("a {} is not a polygon", other.type_name())),
+    }
+}
+
+/// The parts of a geometry.
+#[derive(Default)]
+struct Parts {
+    polygons: Vec<Polygon>,
+    /// The kinds of its other parts, each once.
+    others: Vec<&'static str>,
+}
+
+impl Parts {
+    /// Adds a geometry, and each geometry of a collection. JSON is at most 128 lists deep.
+    ///
+    /// # Errors
+    /// A reason: a polygon is broken.
+    fn add(&mut self, geometry: &geojson::Geometry) -> Result<(), String> {
+        match &geometry.value {
+            GeometryValue::Polygon { coordinates } => self.polygons.push(polygon(coordinates)?),
+            GeometryValue::MultiPolygon { coordinates } => {
+                for rings in coordinates {
+                    self.polygons.push(polygon(rings)?);
+                }
+            }
+            GeometryValue::GeometryCollection { geometries } => {
+                geometries.iter().try_for_each(|inner| self.add(inner))?;
+            }
+            other if !self.others.contains(&other.type_name()) => self.others.push(other.type_name()),
+            _ => {}
+        }
+        Ok(())
+    }
+}
+
+/// The polygon of some rings: its outline, then its holes.
+///
+/// # Errors
+/// A reason: a corner is not a place.
+fn polygon(rings: &[Vec<Position>]) -> Result<Polygon, String> {
+    let corner = |position: &Position| match position.as_slice() {
+        [x, y, ..] => Ok(Coord { x: *x, y: *y }),
+        [_] => Err("a corner has one number; write a longitude and a latitude".to_owned()),
+        [] => Err("a corner has no numbers; write a longitude and a latitude".to_owned()),
+    };
+    let ring = |ring: &Vec<Position>| ring.iter().map(corner).collect::<Result<LineString, String>>();
+    let mut rings = rings.iter().map(ring).collect::<Result<Vec<_>, _>>()?.into_iter();
+    Ok(Polygon::new(rings.next().unwrap_or_else(LineString::empty), rings.collect()))
 }
 
 /// A feature in a note. Features without an id count from 1.
