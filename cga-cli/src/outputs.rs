@@ -1,7 +1,7 @@
 //! The files of a run.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cga::sink::picture::Picture;
 use cga::{Batches, Model, Report, WriteError};
@@ -42,29 +42,70 @@ impl FileKind {
 /// A sentence about a file with another ending, one that is given twice or is an input, or one whose folder does not exist.
 pub(crate) fn check_outputs(options: &RunOptions) -> Result<(), String> {
     options.output.iter().try_for_each(|path| FileKind::of(path).map(drop))?;
-    let reports = options.reports.iter().filter(|path| **path != Path::new("-"));
-    let mut known = BTreeSet::new();
-    for path in options.output.iter().chain(reports) {
-        let shown = path.display();
+    let files = written(options);
+    for path in &files {
         let folder = folder(path);
         if !folder.is_dir() {
-            return Err(format!(
-                "cannot write `{shown}`: the folder `{}` does not exist; make it first",
-                folder.display()
-            ));
-        }
-        let real =
-            folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default());
-        let RunOptions { rules, lot, .. } = options;
-        let mut inputs = std::iter::once(&rules.file).chain(&lot.footprint).chain(&lot.mesh);
-        if inputs.any(|input| input.canonicalize().is_ok_and(|input| input == real)) {
-            return Err(format!("`{shown}` is an input of the run; give the output another name"));
-        }
-        if !known.insert(real) {
-            return Err(format!("`{shown}` is given twice; give each output its own name"));
+            let (path, folder) = (path.display(), folder.display());
+            return Err(format!("cannot write `{path}`: the folder `{folder}` does not exist; make it first"));
         }
     }
-    Ok(())
+    let RunOptions { rules, lot, .. } = options;
+    check_inputs(options, std::iter::once(&rules.file).chain(&lot.footprint).chain(&lot.mesh))?;
+    let mut known = BTreeSet::new();
+    match files.iter().find(|path| !known.insert(real(path))) {
+        Some(twice) => Err(format!("`{}` is given twice; give each output its own name", twice.display())),
+        None => Ok(()),
+    }
+}
+
+/// Checks that a run writes over none of its inputs.
+///
+/// # Errors
+/// A sentence about a file that is written and is one of the inputs.
+pub(crate) fn check_inputs<'i>(
+    options: &RunOptions,
+    inputs: impl IntoIterator<Item = &'i PathBuf>,
+) -> Result<(), String> {
+    let inputs: BTreeSet<PathBuf> = inputs.into_iter().filter_map(|input| input.canonicalize().ok()).collect();
+    match written(options).iter().find(|path| inputs.contains(&real(path))) {
+        Some(path) => Err(format!("`{}` is an input of the run; give the output another name", path.display())),
+        None => Ok(()),
+    }
+}
+
+/// Checks that outputs are new files if they are in the folder of assets. A watch writes its own outputs again, so it checks them once.
+///
+/// # Errors
+/// A sentence about a file that is written and exists among the assets.
+pub(crate) fn check_assets(options: &RunOptions) -> Result<(), String> {
+    let Some(assets) = &options.assets else { return Ok(()) };
+    // A folder that does not exist has another message.
+    let Ok(below) = assets.canonicalize() else { return Ok(()) };
+    match written(options).iter().find(|path| path.exists() && real(path).starts_with(&below)) {
+        Some(path) => Err(format!(
+            "`{}` exists among the assets in `{}`, and the rules may insert it; give the output another name or folder",
+            path.display(),
+            assets.display()
+        )),
+        None => Ok(()),
+    }
+}
+
+/// The files that a run writes. The materials of an OBJ file are beside it.
+fn written(options: &RunOptions) -> Vec<PathBuf> {
+    let materials = options.output.iter().filter(|path| FileKind::of(path) == Ok(FileKind::Obj));
+    let materials = materials.map(|path| path.with_extension("mtl"));
+    let reports = options.reports.iter().filter(|path| **path != Path::new("-"));
+    options.output.iter().chain(reports).cloned().chain(materials).collect()
+}
+
+/// The path of a file without links. A file that does not exist has a folder that may.
+fn real(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = folder(path);
+        folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default())
+    })
 }
 
 /// The result of a run: the model of a lot, or the models of all lots of a file.

@@ -9,7 +9,7 @@ use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLo
 use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
-use crate::outputs::{Output, check_outputs, write_reports};
+use crate::outputs::{Output, check_assets, check_inputs, check_outputs, write_reports};
 use crate::stream::{print, say};
 
 /// The reason why a command ends.
@@ -31,7 +31,8 @@ impl Problem {
 
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {
-    run(options, &mut |_| Ok(false)).unwrap_or_else(|problem| {
+    let checked = check_assets(options).map_err(Problem::unusable);
+    checked.and_then(|()| run(options, &mut |_| Ok(false))).unwrap_or_else(|problem| {
         say(problem.message);
         problem.status
     })
@@ -86,6 +87,7 @@ pub(crate) fn run(options: &RunOptions, follow: Follow<'_>) -> Result<Status, Pr
         )));
     }
     let mut rules = load(&options.rules, follow)?;
+    check_inputs(options, rules.files().read()).map_err(Problem::unusable)?;
     rules.warnings().iter().for_each(|warning| say(format_args!("{warning}\n")));
     for (name, value) in &options.values {
         rules.set_text(name, value).map_err(|error| Problem::unusable(format!("--set {name}: {error}")))?;

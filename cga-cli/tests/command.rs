@@ -137,6 +137,11 @@ fn mistakes_have_a_message_and_a_status() {
     folder.write("parts.cga", "Part(n) --> X.");
     folder.write("points.geojson", "{\"type\": \"Point\", \"coordinates\": [0, 0]}");
     folder.write("rules/in.cga", "Lot --> X.");
+    folder.write("part.cga", "Part(n) --> X.");
+    folder.write("import.cga", "import part : \"part.cga\"  Lot --> part.Part(1)");
+    for name in ["rules/tree.obj", "rules/bark.mtl"] {
+        folder.write(name, "");
+    }
     folder.write("feet.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]]]}");
     for (args, status, message) in [
         ("run tower.cga --set heigth=3", 2, "there is no attribute `heigth`; did you mean `height`?"),
@@ -172,6 +177,11 @@ fn mistakes_have_a_message_and_a_status() {
         ("watch tower.cga -o x.stl", 2, "`x.stl` ends in none of"),
         ("run tower.cga --footprint points.geojson", 1, "feature 1 is left out: a Point is not a polygon"),
         ("watch tower.cga --assets lost", 2, "cannot watch `lost`"),
+        ("run import.cga --reports part.cga", 2, "`part.cga` is an input of the run"),
+        ("run import.cga --assets rules -o rules/tree.obj", 2, "`rules/tree.obj` exists among the assets in `rules`"),
+        ("run import.cga --assets rules -o rules/bark.obj", 2, "`rules/bark.mtl` exists among the assets in `rules`"),
+        ("watch import.cga --assets rules -o rules/tree.obj", 2, "`rules/tree.obj` exists among the assets"),
+        ("run import.cga --assets rules -o rules/new.glb --reports new.json", 0, "wrote `rules/new.glb`"),
     ] {
         let output = folder.run(args);
         let errors = text(&output.stderr);
@@ -274,6 +284,46 @@ fn lots_far_from_each_other_have_a_note_and_lots_around_the_antimeridian_are_nei
     );
     let (errors, widest) = run(&[square(1, "null", 179.999), square(2, "null", -179.999)]);
     assert!(!errors.contains("from their middle") && widest < 200.0, "{errors} {widest}");
+}
+
+#[test]
+fn the_polygons_of_a_collection_are_lots_and_its_other_parts_are_named() {
+    let folder = Folder::new("parts");
+    folder.write("random.cga", "attr value = rand(0, 1000)  Lot --> print(value) X.");
+    let run = |geometry: &str| {
+        let others = [1, 2].map(|at| square(at, "null", 0.001 * f64::from(at)));
+        let feature = format!("{{\"type\": \"Feature\", \"id\": 0, \"properties\": null, \"geometry\": {geometry}}}");
+        folder.write("lots.geojson", &collection(&[feature, others[0].clone(), others[1].clone()]));
+        let output = folder.run("run random.cga --footprint lots.geojson");
+        let lines: Vec<String> = text(&output.stdout).lines().map(str::to_owned).collect();
+        (output.status.code(), lines, text(&output.stderr))
+    };
+    let inside = |parts: &str| format!("{{\"type\": \"GeometryCollection\", \"geometries\": [{parts}]}}");
+    let ring = "[[[0, 0], [0.0002, 0], [0.0002, 0.0002], [0, 0.0002], [0, 0]]]";
+    let (polygon, point) = (
+        format!("{{\"type\": \"Polygon\", \"coordinates\": {ring}}}"),
+        "{\"type\": \"Point\", \"coordinates\": [0, 0]}",
+    );
+    let (status, all, errors) = run(&polygon);
+    assert_eq!((status, all.len()), (Some(0), 3), "{errors}");
+    let (status, same, errors) = run(&inside(&format!("{point}, {}, {point}", inside(&format!("{point}, {polygon}")))));
+    assert_eq!((status, &same), (Some(0), &all), "{errors}");
+    assert_eq!(errors.matches("feature `0`: a Point of its collection is left out").count(), 1, "{errors}");
+    // Without a polygon, the feature counts for no seed.
+    let (status, some, errors) = run(&inside(point));
+    assert_eq!((status, some), (Some(0), all[..2].to_vec()), "{errors}");
+    assert!(errors.contains("feature `0` is left out: it has no polygon"), "{errors}");
+    // A broken one counts as one polygon.
+    let deep = (0..10_000).fold(polygon.clone(), |inner, _| inside(&inner));
+    for (broken, why) in [
+        (inside(&polygon.replace(ring, "[[[0]]]")), "feature `0` is left out: a corner has one number"),
+        (inside(&polygon.replace(ring, "[[[]]]")), "is left out: "),
+        (deep, "feature 1 is left out: "),
+    ] {
+        let (status, some, errors) = run(&broken);
+        assert_eq!((status, some), (Some(1), all[1..].to_vec()), "{errors:.500}");
+        assert!(errors.contains(why), "{errors:.500}");
+    }
 }
 
 #[test]
