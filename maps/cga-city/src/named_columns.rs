@@ -22,11 +22,8 @@ pub(crate) struct NamedColumns {
 
 impl NamedColumns {
     pub(crate) fn new(columns: &Columns) -> Self {
-        let Columns { id, grammar, start, attributes, .. } = columns;
-        let own = [("--id", id), ("--grammar-column", grammar), ("--start-column", start)];
-        let own = own.into_iter().filter_map(|(option, name)| Some((option, name.clone()?)));
-        let given = attributes.iter().map(|(column, _)| ("--attribute", column.clone()));
-        NamedColumns { named: own.chain(given).collect(), found: BTreeSet::new(), rows: 0, without_schema: 0 }
+        let named = columns.named().map(|(option, column)| (option, column.to_owned())).collect();
+        NamedColumns { named, found: BTreeSet::new(), rows: 0, without_schema: 0 }
     }
 
     /// Adds the columns of a file.

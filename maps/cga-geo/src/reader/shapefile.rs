@@ -55,7 +55,7 @@ pub fn open(path: &Path) -> Result<MapFile, String> {
     Ok(MapFile::new(Rows { shapes, shapes_cut, table, count, number: 0, end }, crs, Some(columns)))
 }
 
-/// A sentence if a `.shp` or `.shx` file is shorter than its head says.
+/// A sentence if a `.shp` or `.shx` file is shorter than its header announces.
 fn cut_short(path: &Path, input: &mut BufReader<File>) -> Result<Option<String>, String> {
     let unread = |why: io::Error| format!("cannot read `{}`: {why}", path.display());
     let length = input.get_ref().metadata().map_err(unread)?.len();

@@ -32,17 +32,18 @@ pub struct Columns {
 }
 
 impl Columns {
-    /// The columns that were named by a person, so each must be in a file.
-    pub fn named(&self) -> impl Iterator<Item = &str> {
-        let given = self.attributes.iter().map(|(column, _)| column);
-        [&self.id, &self.grammar, &self.start].into_iter().flatten().chain(given).map(String::as_str)
+    /// The columns that options name, each after its option of the command `cga-city`.
+    pub fn named(&self) -> impl Iterator<Item = (&'static str, &str)> {
+        let own = [("--id", &self.id), ("--grammar-column", &self.grammar), ("--start-column", &self.start)];
+        let own = own.into_iter().filter_map(|(option, column)| Some((option, column.as_deref()?)));
+        own.chain(self.attributes.iter().map(|(column, _)| ("--attribute", column.as_str())))
     }
 
     /// The names of all columns that a survey reads with some grammars.
     pub fn names(&self, grammars: &[&dyn Grammar]) -> Vec<String> {
         let attributes = grammars.iter().flat_map(|grammar| grammar.attributes());
         let by_name = attributes.map(|attribute| attribute.name.as_str().to_owned());
-        let named = self.named().map(str::to_owned);
+        let named = self.named().map(|(_, column)| column.to_owned());
         let mut names: Vec<String> = by_name.chain(named).chain(["id".to_owned()]).collect();
         names.sort_unstable();
         names.dedup();
