@@ -249,6 +249,10 @@ impl Build {
 fn lock(folder: &Path) -> Result<File, String> {
     let path = folder.join(MARK);
     let unusable = |why: io::Error| format!("cannot write to `{}`: {why}", path.display());
+    // A link leads to a file of its own, and the mark is written from its beginning.
+    if fs::symlink_metadata(&path).is_ok_and(|found| found.is_symlink()) {
+        return Err(format!("`{}` is a link, and its file is not written over; delete the link", path.display()));
+    }
     let mut file = File::options().read(true).write(true).create(true).truncate(false).open(&path).map_err(unusable)?;
     match file.try_lock() {
         Ok(()) => {}

@@ -69,8 +69,16 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
 }
 
 /// # Errors
-/// A file of the command is one that the city may replace.
+/// A file of the command is one that the city may replace, or the city would be a part of its assets.
 fn inputs_stay(options: &CityOptions, out: &Path) -> Result<(), Problem> {
+    if let Some(folder) = options.assets.as_ref().filter(|folder| is_inside(out, folder)) {
+        // The digest of each tile has all files of the assets.
+        let (out, folder) = (out.display(), folder.display());
+        return Err(Problem::unusable(format!(
+            "`{out}` is inside of the assets in `{folder}`, so each run would make all tiles again; name an `--out` outside of that \
+             folder, or move the assets to a folder of their own"
+        )));
+    }
     // A folder that does not exist has no files.
     let Ok(out) = out.canonicalize() else { return Ok(()) };
     let inputs = options.lots.iter().chain(&options.rules).chain(&options.terrain).chain(&options.assets);
@@ -85,6 +93,13 @@ fn inputs_stay(options: &CityOptions, out: &Path) -> Result<(), Problem> {
         }
     }
     Ok(())
+}
+
+/// Returns true if a file is in a folder, or is that folder. The file and the folders around it need not exist.
+fn is_inside(file: &Path, folder: &Path) -> bool {
+    let (Ok(file), Ok(folder)) = (std::path::absolute(file), folder.canonicalize()) else { return false };
+    let known = file.ancestors().find_map(|around| around.canonicalize().ok());
+    known.is_some_and(|known| known.starts_with(folder))
 }
 
 /// The rules with the values of the command.

@@ -21,9 +21,9 @@ pub fn delete_others(city: &Path, is_part: &dyn Fn(&str) -> bool) -> io::Result<
     Ok(())
 }
 
-/// Returns true if a run may write or delete a file with a name relative to the folder of the city, with `/`.
+/// Returns true if a run may write or delete a file or a folder with a name relative to the folder of the city, with `/`.
 pub fn is_of_city(name: &str) -> bool {
-    FOLDERS.iter().any(|folder| name.starts_with(&format!("{folder}/")))
+    FOLDERS.iter().any(|folder| name == *folder || name.starts_with(&format!("{folder}/")))
         || ["cga-city.json", "problems.jsonl", "tileset.json"].contains(&name)
         || name.starts_with(".lots-")
 }
@@ -75,6 +75,7 @@ mod tests {
         {
             assert!(!is_tile_or_block(name), "{name}");
         }
+        assert!(is_of_city("tiles") && is_of_city("sets") && is_of_city("tiles/trees") && !is_of_city("tilesets"));
         assert!(is_of_city("tileset.json") && !is_of_city("town.cga") && !is_of_city("tiles.json"));
     }
 }

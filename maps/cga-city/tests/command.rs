@@ -167,6 +167,38 @@ fn files_of_a_person_are_not_replaced() {
 }
 
 #[test]
+fn a_city_and_its_assets_are_apart() {
+    let folder = folder();
+    std::fs::create_dir_all(folder.path().join("out/tiles")).expect("room");
+    std::fs::create_dir_all(folder.path().join("images")).expect("room");
+    for (assets, out, why) in [
+        ("out/tiles", "out", "`out/tiles` is among the tiles in `out`"),
+        (".", "new", "`new` is inside of the assets in `.`"),
+        (".", "new/../images/inner", "`new/../images/inner` is inside of the assets in `.`"),
+        ("images", "images", "`images` is inside of the assets in `images`"),
+        ("images", "images/a/b", "name an `--out` outside of that folder"),
+    ] {
+        let output = run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--assets", assets, "--out", out]);
+        assert_eq!(output.status.code(), Some(2), "{assets} {out}: {}", said(&output));
+        assert!(said(&output).contains(why), "{assets} {out}: {}", said(&output));
+    }
+    assert!(!folder.path().join("new").exists());
+}
+
+/// A link in the place of the mark of a city.
+#[cfg(unix)]
+#[test]
+fn the_file_of_a_link_is_not_written_over() {
+    let folder = folder();
+    std::fs::create_dir(folder.path().join("out")).expect("room");
+    std::os::unix::fs::symlink("../house.cga", folder.path().join("out/cga-city.json")).expect("a link");
+    let output = run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "out"]);
+    assert_eq!(output.status.code(), Some(2), "{}", said(&output));
+    assert!(said(&output).contains("is a link"), "{}", said(&output));
+    assert_eq!(std::fs::read_to_string(folder.path().join("house.cga")).expect("the rules"), RULES);
+}
+
+#[test]
 fn a_broken_line_is_a_lost_row_and_a_cut_file_is_status_1() {
     let folder = folder();
     let lots = folder.path().join("lots.geojsonl");
