@@ -31,7 +31,7 @@ impl Failure {
         Failure { row, lot, name, kind, reason }
     }
 
-    /// The number of the lot, and the reason.
+    /// The numbers of the lot and of the row, the name and the reason.
     pub(crate) fn in_table(&self) -> (usize, usize, &str, &str) {
         (self.lot, self.row, &self.name, &self.reason)
     }

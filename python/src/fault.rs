@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 #[pyclass(frozen, get_all, module = "pycga")]
 #[derive(Clone, Debug)]
 pub(crate) struct Fault {
-    /// `"value"`, `"asset"`, `"geometry"`, `"limit"`, `"not_implemented"` or `"host"`.
+    /// `"value"`, `"asset"`, `"geometry"`, `"limit"`, `"not_implemented"`, `"host"` or `"other"`.
     kind: &'static str,
     /// The problem, and the value that was used instead.
     message: String,
@@ -38,7 +38,8 @@ impl From<&Row> for Fault {
             FaultKind::Geometry => "geometry",
             FaultKind::Limit => "limit",
             FaultKind::NotImplemented => "not_implemented",
-            _ => "host",
+            FaultKind::Host => "host",
+            _ => "other",
         };
         Fault {
             kind,
