@@ -172,7 +172,7 @@ fn a_city_and_its_assets_are_apart() {
     std::fs::create_dir_all(folder.path().join("out/tiles")).expect("room");
     std::fs::create_dir_all(folder.path().join("images")).expect("room");
     for (assets, out, why) in [
-        ("out/tiles", "out", "`out/tiles` is among the tiles in `out`"),
+        ("out/tiles", "out", "`out/tiles` is among the tiles in `"),
         (".", "new", "`new` is inside of the assets in `.`"),
         (".", "new/../images/inner", "`new/../images/inner` is inside of the assets in `.`"),
         ("images", "images", "`images` is inside of the assets in `images`"),
