@@ -190,6 +190,19 @@ fn mistakes_have_a_message_and_a_status() {
     }
 }
 
+/// A link to the rules has another name.
+#[cfg(unix)]
+#[test]
+fn the_file_of_a_link_is_an_input_too() {
+    let folder = Folder::new("link");
+    let rules = folder.read("tower.cga");
+    std::os::unix::fs::symlink("tower.cga", folder.0.join("x.json")).expect("a link");
+    let output = folder.run("run tower.cga --reports x.json");
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("`x.json` is an input of the run"), "{}", text(&output.stderr));
+    assert!(folder.read("tower.cga") == rules);
+}
+
 /// A feature with a square at some degrees to the east.
 fn square(id: u32, properties: &str, east: f64) -> String {
     let (low, high) = (east, east + 0.0002);
