@@ -4,10 +4,8 @@ use std::sync::Arc;
 
 use crate::geometry::mesh::Mesh;
 use crate::geometry::work;
+use crate::run::env::READING;
 use crate::shape::{Geometry, Placed, Shape};
-
-/// The units of work for reading a corner.
-const READING: usize = 2;
 
 /// Counts a pass over the geometry as work, so that rules that only read can be stopped. Returns false if the run has ended.
 pub(super) fn may_read(shape: &Shape) -> bool {
