@@ -14,6 +14,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::abs(env, a0);
             stack.push_float(value);
         }),
+        "abs_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::abs_each(env, a0);
+            stack.push_floats(value);
+        }),
         "acos(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::acos(env, a0);
@@ -101,10 +106,25 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::atan2(env, a0, a1);
             stack.push_float(value);
         }),
+        "bools_from_floats(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::bools_from_floats(env, a0);
+            stack.push_bools(value);
+        }),
+        "bools_from_texts(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::bools_from_texts(env, a0);
+            stack.push_bools(value);
+        }),
         "ceil(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::ceil(env, a0);
             stack.push_float(value);
+        }),
+        "ceil_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::ceil_each(env, a0);
+            stack.push_floats(value);
         }),
         "clamp_each(floats, floats, floats)" => FunctionCall::new(move |stack, env, _| {
             let a2 = stack.floats();
@@ -201,10 +221,30 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::exp(env, a0);
             stack.push_float(value);
         }),
+        "file_basename(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_basename(env, a0);
+            stack.push_text(value);
+        }),
+        "file_directory(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_directory(env, a0);
+            stack.push_text(value);
+        }),
         "file_exists(file)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.file();
             let value = func::file_exists(env, a0);
             stack.push_bool(value);
+        }),
+        "file_extension(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_extension(env, a0);
+            stack.push_text(value);
+        }),
+        "file_name(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_name(env, a0);
+            stack.push_text(value);
         }),
         "file_search(file)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.file();
@@ -230,10 +270,25 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::find_near(env, a0, a1, a2);
             stack.push_float(value);
         }),
+        "floats_from_bools(bools)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bools();
+            let value = func::floats_from_bools(env, a0);
+            stack.push_floats(value);
+        }),
+        "floats_from_texts(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::floats_from_texts(env, a0);
+            stack.push_floats(value);
+        }),
         "floor(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::floor(env, a0);
             stack.push_float(value);
+        }),
+        "floor_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::floor_each(env, a0);
+            stack.push_floats(value);
         }),
         "get_prefix(text, text)" => FunctionCall::new(move |stack, env, _| {
             let a1 = stack.text();
@@ -266,6 +321,26 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
                 stack.push_float(value);
             })
         }
+        "isinf_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::isinf_each(env, a0);
+            stack.push_bools(value);
+        }),
+        "isnan_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::isnan_each(env, a0);
+            stack.push_bools(value);
+        }),
+        "isnull_float_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::isnull_float_each(env, a0);
+            stack.push_bools(value);
+        }),
+        "isnull_text_each(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::isnull_text_each(env, a0);
+            stack.push_bools(value);
+        }),
         "join(texts)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.texts();
             let value = func::join(env, a0);
@@ -280,6 +355,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
         "list_clean(text)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.text();
             let value = func::list_clean(env, a0);
+            stack.push_text(value);
+        }),
+        "list_first(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_first(env, a0);
             stack.push_text(value);
         }),
         "list_from_array(bools)" => FunctionCall::new(move |stack, env, _| {
@@ -301,6 +381,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a1 = stack.float();
             let a0 = stack.text();
             let value = func::list_item(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_last(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_last(env, a0);
             stack.push_text(value);
         }),
         "list_range(text, float, float)" => FunctionCall::new(move |stack, env, _| {
@@ -454,10 +539,35 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::rint(env, a0);
             stack.push_float(value);
         }),
+        "rint_each(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::rint_each(env, a0);
+            stack.push_floats(value);
+        }),
         "sin(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::sin(env, a0);
             stack.push_float(value);
+        }),
+        "sort_indices(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::sort_indices(env, a0);
+            stack.push_floats(value);
+        }),
+        "sort_indices(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::sort_indices(env, a0);
+            stack.push_floats(value);
+        }),
+        "sort_row_indices(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::sort_row_indices(env, a0);
+            stack.push_floats(value);
+        }),
+        "sort_row_indices(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::sort_row_indices(env, a0);
+            stack.push_floats(value);
         }),
         "split_string(text, text)" => FunctionCall::new(move |stack, env, _| {
             let a1 = stack.text();
@@ -482,9 +592,29 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::tan(env, a0);
             stack.push_float(value);
         }),
+        "texts_from_bools(bools)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bools();
+            let value = func::texts_from_bools(env, a0);
+            stack.push_texts(value);
+        }),
         "texts_from_floats(floats)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.floats();
             let value = func::texts_from_floats(env, a0);
+            stack.push_texts(value);
+        }),
+        "transpose(bools)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.bools();
+            let value = func::transpose(env, a0);
+            stack.push_bools(value);
+        }),
+        "transpose(floats)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.floats();
+            let value = func::transpose(env, a0);
+            stack.push_floats(value);
+        }),
+        "transpose(texts)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.texts();
+            let value = func::transpose(env, a0);
             stack.push_texts(value);
         }),
         _ => return None,

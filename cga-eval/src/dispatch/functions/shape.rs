@@ -357,7 +357,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
         }
         "list_random(text)" => FunctionCall::new(move |stack, env, current| {
             let a0 = stack.text();
-            let value = view!(env, current, |shape| func::list_random(shape, a0,));
+            let value = view!(env, current, |shape| func::list_random(env, shape, a0,));
             stack.push_text(value);
         }),
         "minimum_distance(QueryTarget, text)" => {
