@@ -309,7 +309,7 @@ fn names_are_those_that_faces_have() {
         |list: Array<crate::value::text::Text>| list.as_slice().iter().map(ToString::to_string).collect::<Vec<_>>();
     let env = &mut Env::for_tests();
     assert_eq!(strings(geometry_groups(env, &shape)), ["wall", "roof", ""]);
-    assert_eq!(strings(geometry_materials(&shape)), ["brick", "tile"]);
+    assert_eq!(strings(geometry_materials(env, &shape)), ["brick", "tile"]);
     assert_eq!(strings(geometry_groups(env, &Shape::cuboid(1.0, 1.0, 1.0))), [""]);
     // *CGA changelog 2021.0*: the initial shape's name, until something is inserted.
     for start in [Shape::rectangle(2.0, 1.0), Shape::rectangle(2.0, 1.0).held_as_meshes(), shape] {
@@ -323,7 +323,7 @@ fn names_are_those_that_faces_have() {
         op::cylinder(env, &mut shape);
         assert_eq!(strings(geometry_groups(env, &shape)), [""]);
     }
-    assert_eq!(strings(geometry_materials(&Shape::mesh_axis_aligned(Mesh::default()))), [""; 0]);
+    assert_eq!(strings(geometry_materials(env, &Shape::mesh_axis_aligned(Mesh::default()))), [""; 0]);
 }
 
 #[test]
@@ -447,7 +447,7 @@ fn a_run_that_has_ended_reads_no_mesh() {
             geometry_has_uv_set(env, shape, 0.0),
             geometry_is_closed_surface(shape),
             geometry_is_oriented(env, shape, Word::Side),
-            !geometry_materials(shape).is_empty(),
+            !geometry_materials(env, shape).is_empty(),
         ];
         (numbers.map(|number| number != 0.0), truths)
     };
