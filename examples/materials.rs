@@ -1,4 +1,4 @@
-//! The materials of the gallery as images: `out/materials`, and a picture of all of them, `materials.png`.
+//! The materials of the gallery as images: `out/materials`, and a picture of all of them, `docs/gallery/materials.png`.
 //!
 //! `cargo run --release --example materials`
 //!
@@ -14,7 +14,7 @@ use cga::sink::picture::{Lines, Picture};
 use cga::{Model, Settings, Shape, cga};
 
 cga! {
-    /// A ball and a wall for each material.
+    /// A block for each material.
     @Allow(missing_asset)
     grammar Samples;
 
@@ -41,7 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     model.faults().iter().for_each(|fault| eprintln!("fault: {fault}"));
     let mut picture = Picture::new(1200, 640).looking_from(20.0, 24.0);
     picture.lines = Lines::None;
-    picture.render(&model).write_indexed_png("materials.png")?;
-    println!("wrote out/materials and materials.png");
+    picture.render(&model).write_indexed_png("docs/gallery/materials.png")?;
+    println!("wrote out/materials and docs/gallery/materials.png");
     Ok(())
 }

@@ -91,8 +91,8 @@ impl Scene {
         let Some([along_u, along_v]) = slopes(triangle, corners) else { return normal };
         let texel = Footprint::of(triangle, view, sample, point).sample(self.texture(image), corners);
         let slope = texel.truncate().as_dvec3() * 2.0 - 1.0;
-        // Bytes have no exact 0.
-        let flat = |slope: f64| if slope.abs() < 0.5 / 255.0 { 0.0 } else { slope };
+        // Neither 127 nor 128 is exactly 0.
+        let flat = |slope: f64| if slope.abs() < 1.5 / 255.0 { 0.0 } else { slope };
         let tangent = |axis: DVec3| (axis - normal * axis.dot(normal)).normalize_or_zero();
         // At the back the relief goes in.
         let side = if triangle.normal().dot(normal) < 0.0 { -1.0 } else { 1.0 };

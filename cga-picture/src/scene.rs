@@ -91,8 +91,8 @@ impl Scene {
         self.add_texture(image, [255; 4], Encoding::Srgb)
     }
 
-    /// Adds a normal map for paints, encoded as in glTF: red and green are the slope along u and v, from -1 to 1, and blue is the part
-    /// along the normal. An image without pixels is flat.
+    /// Adds a normal map for paints, encoded as in glTF: red, green and blue are the parts of the normal along u, along v and outwards,
+    /// from −1 to 1. An image without pixels is flat.
     pub fn add_normal_map(&mut self, image: Bitmap) -> ImageId {
         self.add_texture(image, [128, 128, 255, 255], Encoding::Linear)
     }

@@ -75,7 +75,7 @@ pub fn plaster() -> Surface {
     Surface { pixels: 256, size: [2400.0; 2], texel: Box::new(texel) }
 }
 
-/// Slabs of 600 by 400 mm, three across and three courses: 1.8 m by 1.2 m.
+/// Slabs of 600 by 400 mm, three across and four courses: 1.8 m by 1.6 m.
 pub fn paving() -> Surface {
     let size = [1800.0, 1600.0];
     let texel = move |at: [f64; 2], _: &str| {

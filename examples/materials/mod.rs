@@ -29,9 +29,6 @@ struct Family {
     surface: fn() -> Surface,
 }
 
-/// The most pixels along a side of an image.
-const PIXELS: usize = 512;
-
 const FAMILIES: [Family; 11] = [
     Family { name: "brick", colors: &["red", "brown", "yellow"], surface: masonry::brick },
     Family { name: "stone", colors: &[""], surface: masonry::ashlar },
@@ -65,10 +62,8 @@ impl Family {
         self.color_maps().map(|(name, _)| name).chain(self.relief())
     }
 
-    /// Its images, with at most so many pixels along a side.
-    fn images(&self, most: usize) -> BTreeMap<String, Image> {
-        let mut surface = (self.surface)();
-        surface.pixels = surface.pixels.min(most);
+    fn images(&self) -> BTreeMap<String, Image> {
+        let surface = (self.surface)();
         let colors = self.color_maps().map(|(name, color)| (name, surface.color(color)));
         colors.chain(self.relief().into_iter().zip(surface.relief())).collect()
     }
@@ -76,12 +71,12 @@ impl Family {
 
 /// All images by name.
 pub fn images() -> BTreeMap<String, Image> {
-    images_of(PIXELS)
+    FAMILIES.iter().flat_map(Family::images).collect()
 }
 
-/// All images by name, with at most so many pixels along a side.
-pub fn images_of(most: usize) -> BTreeMap<String, Image> {
-    FAMILIES.iter().flat_map(|family| family.images(most)).collect()
+/// The surfaces by name.
+pub fn surfaces() -> impl Iterator<Item = (&'static str, Surface)> {
+    FAMILIES.iter().map(|family| (family.name, (family.surface)()))
 }
 
 /// The images as files in memory. A family is drawn when a run asks for one of its images.
@@ -107,7 +102,7 @@ fn file(image: &Image) -> Vec<u8> {
     image.to_png().unwrap_or_default()
 }
 
-/// The files of the families that were asked for.
+/// The files of the families whose images a run has read.
 #[derive(Default)]
 struct Library([OnceLock<BTreeMap<String, Vec<u8>>>; FAMILIES.len()]);
 
@@ -115,7 +110,7 @@ impl AssetSource for Library {
     fn bytes(&self, name: &str) -> Option<Cow<'_, [u8]>> {
         let (family, files) = FAMILIES.iter().zip(&self.0).find(|(family, _)| family.names().any(|own| own == name))?;
         let files =
-            files.get_or_init(|| family.images(PIXELS).into_iter().map(|(name, image)| (name, file(&image))).collect());
+            files.get_or_init(|| family.images().into_iter().map(|(name, image)| (name, file(&image))).collect());
         files.get(name).map(|bytes| Cow::Borrowed(bytes.as_slice()))
     }
 

@@ -15,7 +15,7 @@ pub fn smooth(low: f64, high: f64, value: f64) -> f64 {
     t * t * (3.0 - 2.0 * t)
 }
 
-/// Soft noise in 0..1: `cells` across and up the image, whose coordinates are in 0..1.
+/// Soft noise in 0..1: `cells` across and up the image, at a place with coordinates in 0..1.
 pub fn soft(layer: u64, [u, v]: [f64; 2], cells: [i64; 2]) -> f64 {
     let (x, y) = (u * cells[0] as f64, v * cells[1] as f64);
     let (left, low) = (x as i64, y as i64);
@@ -41,10 +41,10 @@ pub fn rough(layer: u64, at: [f64; 2], cells: i64, octaves: u32) -> f64 {
     sum / whole
 }
 
-/// The cell of the nearest of scattered points, and the distances to the nearest and to the second: `cells` across and up.
+/// The cell of the nearest of scattered points, also outside of the image, and the distances to the nearest and to the second: `cells` across and up.
 pub fn cell(layer: u64, [u, v]: [f64; 2], cells: [i64; 2]) -> ([i64; 2], [f64; 2]) {
     let (x, y) = (u * cells[0] as f64, v * cells[1] as f64);
-    let (left, low) = (x as i64, y as i64);
+    let (left, low) = (x.floor() as i64, y.floor() as i64);
     let (mut nearest, mut distances) = ([0, 0], [f64::INFINITY; 2]);
     for (dx, dy) in (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (dx, dy))) {
         let key = [(left + dx).rem_euclid(cells[0]), (low + dy).rem_euclid(cells[1])];

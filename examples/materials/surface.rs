@@ -42,7 +42,7 @@ impl Surface {
         self.image(self.texels(color).into_iter().map(|texel| texel.color))
     }
 
-    /// The normal map, with the slope along u in red and along v in green, and the roughness map.
+    /// The normal map, with the part along u in red and the part along v in green, and the roughness map.
     pub fn relief(&self) -> [Image; 2] {
         let texels = self.texels("");
         [self.normals(&texels), self.image(texels.iter().map(|texel| [255.0 * texel.rough; 3]))]

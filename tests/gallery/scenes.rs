@@ -11,7 +11,7 @@ use crate::scenes::Scene;
 /// The page: for each scene a picture, a sentence, the attributes and the rules.
 pub fn markdown(scenes: &[(Scene, Model)]) -> String {
     let mut text = String::from(
-        "# Buildings and scenes\n\nFourteen grammars of our own, each complete: copy one into `cga! { … }`, change a number and look at the result. `cargo run\n--release -p cga-tests --example gallery` writes this page and its pictures from the files in `examples/scenes`, and\n`tests/documented/scenes.rs` checks them.\n\nThe images of bricks, stone, roofs and plants are drawn by a program too, with relief: `cargo run --release --example materials`\nwrites them to `out/materials`. Give them to a run with `Settings { assets: Assets::below(\"out/materials\").into(), ..Settings::default() }`.\n\n![The materials](materials.png)\n\n",
+        "# Buildings and scenes\n\nFourteen grammars of our own, each complete: copy one into `cga! { … }`, change a number and look at the result. `cargo run\n--release -p cga-tests --example gallery` writes this page and its pictures from the files in `examples/scenes`, and\n`tests/documented/scenes.rs` checks them.\n\nThe images of bricks, stone, roofs and plants are drawn by a program too, with relief: `cargo run --release --example materials`\nwrites them to `out/materials`, and their picture. Give them to a run with `Settings { assets: Assets::below(\"out/materials\").into(), ..Settings::default() }`.\n\n![The materials](materials.png)\n\n",
     );
     for (scene, _) in scenes {
         let _ = writeln!(text, "- [{}](#{})", scene.title, scene.title.to_lowercase().replace(' ', "-"));

@@ -88,20 +88,33 @@ fn rules_that_only_measure_are_stopped() {
 
 /// Nested calls hold their arguments.
 #[test]
-fn long_texts_of_nested_calls_have_a_limit_in_all() {
+fn long_values_of_nested_calls_have_a_limit_in_all() {
     let rules = cga! {
-        Lot --> Longer("x", 0)
-        Longer(text, n) --> case n < 16 : Longer(text + text, n + 1) else : Held(text, 0)
+        @StartRule
+        Joined --> Longer("x", 0, false)
+        @StartRule
+        Cut --> Longer("x", 0, true)
+        @StartRule
+        Listed --> HeldArray([1:4000], 0)
+        Longer(text, n, isCut) -->
+            case n < 16 : Longer(text + text, n + 1, isCut)
+            case isCut : HeldPart(text, 0)
+            else : Held(text, 0)
+        HeldPart(text, n) --> case n < 300 : [ HeldPart(listFirst(text), n + 1) ] Told(text) else : X.
+        HeldArray(array, n) --> case n < 300 : [ HeldArray(.- array, n + 1) ] Told("" + array[0]) else : X.
         Held(text, n) --> case n < 300 : [ Held(text + n, n + 1) ] Told(text) else : X.
         Told(text) --> case text == "" : Y. else : X.
     };
-    let run = |bytes: u64| {
+    let run = |start: &str, bytes: u64| {
         let limits = cga::Limits { bytes, ..cga::Limits::default() };
-        rules.generate_with(&Shape::rectangle(1.0, 1.0), &Settings { limits, ..Settings::default() })
+        let settings = Settings { start: Some(start.to_owned()), limits, ..Settings::default() };
+        rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings)
     };
-    assert!(run(30_000_000).is_ok());
-    let error = run(10_000_000).expect_err("20 MB of texts");
-    assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{error}");
+    for start in ["Joined", "Cut", "Listed"] {
+        assert!(run(start, 30_000_000).is_ok(), "{start}");
+        let error = run(start, 10_000_000).expect_err("20 MB of values");
+        assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{start}: {error}");
+    }
 }
 
 /// A run in a sink of a run that was stopped has its own watch, or none.

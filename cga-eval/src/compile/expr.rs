@@ -215,12 +215,12 @@ impl Compiler<'_> {
             ExprKind::EachUnary(operator, inner) => {
                 self.expr(inner, locals, steps);
                 steps.call(match operator {
-                    EachUnary::Neg => FunctionCall::new(|stack, _, _| {
-                        let array = func::each_minus(stack.floats());
+                    EachUnary::Neg => FunctionCall::new(|stack, env, _| {
+                        let array = func::each_minus(env, stack.floats());
                         stack.push_floats(array);
                     }),
-                    EachUnary::Not => FunctionCall::new(|stack, _, _| {
-                        let array = func::each_not(stack.bools());
+                    EachUnary::Not => FunctionCall::new(|stack, env, _| {
+                        let array = func::each_not(env, stack.bools());
                         stack.push_bools(array);
                     }),
                 });

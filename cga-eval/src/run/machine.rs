@@ -92,7 +92,7 @@ impl Values {
                         *a = numbers(*operator, *a, b);
                     }
                 }
-                // Texts and arrays may be large. After the end of the run the values do not matter; those missing count as 0 or empty.
+                // Texts and arrays may be large. After the end of the run values do not matter; missing ones count as 0 or empty.
                 Instruction::Function(call) => {
                     if env.may_read(stack.objects.last().map_or(0, Object::size)) {
                         (call.0)(stack, env, current);

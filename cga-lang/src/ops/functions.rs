@@ -151,10 +151,15 @@ const fn tags(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Fun
     Function { run: Run::Now(call), needs: Needs::Shape, uses, ..later(name, params, ty, about) }
 }
 
+/// The row of a query whose result counts for the limits of the run.
+const fn counted(row: Function) -> Function {
+    Function { needs: Needs::Both, ..row }
+}
+
 /// Tags of geometry.
 static GEOMETRY: &[Function] = &[
-    tags("geometry.tags", "geometry_tags", &[], TS, "the tags of the components, in order"),
-    tags("geometry.tags", "geometry_tags_of", &[TAG_QUERY, TAGGED], TS, "the tags that match, in order"),
+    counted(tags("geometry.tags", "geometry_tags", &[], TS, "the tags of the components, in order")),
+    counted(tags("geometry.tags", "geometry_tags_of", &[TAG_QUERY, TAGGED], TS, "the tags that match, in order")),
     tags("geometry.hasTags", "geometry_has_tags", &[], B, "whether components have tags"),
     tags(
         "geometry.hasTags",

@@ -151,7 +151,7 @@ pub(super) static GEOMETRY: &[Function] = &[
     },
     Function {
         names: Some(AssetNames::Materials),
-        ..shape("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have")
+        ..both("geometry.materials", "geometry_materials", &[], TS, "the names of the materials that faces have")
     },
 ];
 

@@ -70,13 +70,13 @@ pub(super) static CHANCE: &[Function] = &[
 /// Arithmetic.
 pub(super) static MATH: &[Function] = &[
     means(Meaning::Floor, run("floor", "floor", &[float("x")], F, "the largest whole number that is not above")),
-    plain("floor", "floor_each", &[of("x", FS)], FS, "the largest whole number that is not above, for each element"),
+    run("floor", "floor_each", &[of("x", FS)], FS, "the largest whole number that is not above, for each element"),
     means(Meaning::Ceil, run("ceil", "ceil", &[float("x")], F, "the smallest whole number that is not below")),
-    plain("ceil", "ceil_each", &[of("x", FS)], FS, "the smallest whole number that is not below, for each element"),
+    run("ceil", "ceil_each", &[of("x", FS)], FS, "the smallest whole number that is not below, for each element"),
     means(Meaning::Round, run("rint", "rint", &[float("x")], F, "the nearest whole number")),
-    plain("rint", "rint_each", &[of("x", FS)], FS, "the nearest whole number, for each element"),
+    run("rint", "rint_each", &[of("x", FS)], FS, "the nearest whole number, for each element"),
     means(Meaning::Abs, run("abs", "abs", &[float("x")], F, "the number without its sign")),
-    plain("abs", "abs_each", &[of("x", FS)], FS, "the number without its sign, for each element"),
+    run("abs", "abs_each", &[of("x", FS)], FS, "the number without its sign, for each element"),
     means(Meaning::Sqrt, run("sqrt", "sqrt", &[float("x")], F, "the square root")),
     means(Meaning::Wave, run("sin", "sin", &[float("degrees")], F, "the sine of an angle in degrees")),
     means(Meaning::Wave, run("cos", "cos", &[float("degrees")], F, "the cosine of an angle in degrees")),
@@ -114,13 +114,13 @@ pub(super) static MATH: &[Function] = &[
         "each element, moved between the elements of two arrays",
     ),
     plain("isnan", "isnan", &[float("x")], B, "whether it is not a number"),
-    plain("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is not a number, for each element"),
+    run("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is not a number, for each element"),
     plain("isinf", "isinf", &[float("x")], B, "whether it is infinite"),
-    plain("isinf", "isinf_each", &[of("x", FS)], BS, "whether it is infinite, for each element"),
+    run("isinf", "isinf_each", &[of("x", FS)], BS, "whether it is infinite, for each element"),
     plain("isNull", "isnull_float", &[float("value")], B, "whether it is a missing value"),
     plain("isNull", "isnull_text", &[text("value")], B, "whether it is a missing value"),
-    plain("isNull", "isnull_float_each", &[of("values", FS)], BS, "whether it is a missing value, for each element"),
-    plain("isNull", "isnull_text_each", &[of("values", TS)], BS, "whether it is a missing value, for each element"),
+    run("isNull", "isnull_float_each", &[of("values", FS)], BS, "whether it is a missing value, for each element"),
+    run("isNull", "isnull_text_each", &[of("values", TS)], BS, "whether it is a missing value, for each element"),
 ];
 
 /// Conversions between types.
@@ -130,11 +130,11 @@ pub(super) static CONVERSIONS: &[Function] = &[
     means(Meaning::FloatToBool, plain("bool", "float_to_bool", &[float("value")], B, "whether it is not 0")),
     plain("bool", "text_to_bool", &[text("value")], B, "whether it is neither `f` nor `false` nor a zero"),
     plain("floatArray", "no_floats", &[], FS, "an array without elements"),
-    plain("floatArray", "floats_from_bools", &[of("values", BS)], FS, "1 or 0 for each element"),
-    plain("floatArray", "floats_from_texts", &[of("values", TS)], FS, "the number that each element begins with"),
+    run("floatArray", "floats_from_bools", &[of("values", BS)], FS, "1 or 0 for each element"),
+    run("floatArray", "floats_from_texts", &[of("values", TS)], FS, "the number that each element begins with"),
     plain("boolArray", "no_bools", &[], BS, "an array without elements"),
-    plain("boolArray", "bools_from_floats", &[of("values", FS)], BS, "whether each element is not 0"),
-    plain(
+    run("boolArray", "bools_from_floats", &[of("values", FS)], BS, "whether each element is not 0"),
+    run(
         "boolArray",
         "bools_from_texts",
         &[of("values", TS)],
@@ -143,7 +143,7 @@ pub(super) static CONVERSIONS: &[Function] = &[
     ),
     plain("stringArray", "no_texts", &[], TS, "an array without elements"),
     run("stringArray", "texts_from_floats", &[of("values", FS)], TS, "each element as text"),
-    plain("stringArray", "texts_from_bools", &[of("values", BS)], TS, "each element as text"),
+    run("stringArray", "texts_from_bools", &[of("values", BS)], TS, "each element as text"),
 ];
 
 /// Text.
@@ -173,10 +173,10 @@ pub(super) static TEXTS: &[Function] = &[
         T,
         "the text between two occurrences",
     ),
-    plain("fileBasename", "file_basename", &[PATH], T, "the name of a file without directory and extension"),
-    plain("fileDirectory", "file_directory", &[PATH], T, "the directory of a file"),
-    plain("fileExtension", "file_extension", &[PATH], T, "the extension of a file"),
-    plain("fileName", "file_name", &[PATH], T, "the name of a file with its extension"),
+    run("fileBasename", "file_basename", &[PATH], T, "the name of a file without directory and extension"),
+    run("fileDirectory", "file_directory", &[PATH], T, "the directory of a file"),
+    run("fileExtension", "file_extension", &[PATH], T, "the extension of a file"),
+    run("fileName", "file_name", &[PATH], T, "the name of a file with its extension"),
 ];
 
 /// Lists in text.
@@ -184,14 +184,14 @@ pub(super) static LISTS: &[Function] = &[
     run("listAdd", "list_add", &[LIST, text("item")], T, "the list with one more item"),
     run("listClean", "list_clean", &[LIST], T, "the list without empty items"),
     plain("listCount", "list_count", &[LIST, SEARCH], F, "how many items match"),
-    plain("listFirst", "list_first", &[LIST], T, "the first item"),
+    run("listFirst", "list_first", &[LIST], T, "the first item"),
     run("listFromArray", "list_from_array", &[of("array", FS)], T, "the elements as a list"),
     run("listFromArray", "list_from_array", &[of("array", BS)], T, "the elements as a list"),
     run("listFromArray", "list_from_array", &[of("array", TS)], T, "the elements as a list"),
     plain("listIndex", "list_index", &[LIST, SEARCH], F, "the number of the first item that matches, or -1"),
     run("listItem", "list_item", &[LIST, float("index")], T, "an item by its number"),
-    plain("listLast", "list_last", &[LIST], T, "the last item"),
-    draw("listRandom", "list_random", &[LIST], T, Needs::Shape, "an item by chance"),
+    run("listLast", "list_last", &[LIST], T, "the last item"),
+    draw("listRandom", "list_random", &[LIST], T, Needs::Both, "an item by chance"),
     run(
         "listRange",
         "list_range",
@@ -230,13 +230,13 @@ pub(super) static ARRAYS: &[Function] = &[
         F,
         "the first index of a value, within a tolerance, or -1",
     ),
-    plain("sortIndices", "sort_indices", &[of("array", FS)], FS, "the places of the elements of each row, in order"),
-    plain("sortIndices", "sort_indices", &[of("array", TS)], FS, "the places of the elements of each row, in order"),
-    plain("sortRowIndices", "sort_row_indices", &[of("array", FS)], FS, "the numbers of the rows, in order"),
-    plain("sortRowIndices", "sort_row_indices", &[of("array", TS)], FS, "the numbers of the rows, in order"),
-    plain("transpose", "transpose", &[of("array", FS)], FS, "rows as columns"),
-    plain("transpose", "transpose", &[of("array", BS)], BS, "rows as columns"),
-    plain("transpose", "transpose", &[of("array", TS)], TS, "rows as columns"),
+    run("sortIndices", "sort_indices", &[of("array", FS)], FS, "the places of the elements of each row, in order"),
+    run("sortIndices", "sort_indices", &[of("array", TS)], FS, "the places of the elements of each row, in order"),
+    run("sortRowIndices", "sort_row_indices", &[of("array", FS)], FS, "the numbers of the rows, in order"),
+    run("sortRowIndices", "sort_row_indices", &[of("array", TS)], FS, "the numbers of the rows, in order"),
+    run("transpose", "transpose", &[of("array", FS)], FS, "rows as columns"),
+    run("transpose", "transpose", &[of("array", BS)], BS, "rows as columns"),
+    run("transpose", "transpose", &[of("array", TS)], TS, "rows as columns"),
     old(
         run(
             "index",

@@ -16,7 +16,10 @@ fn file(row: &Function) -> (&'static str, &'static str) {
             _ => ("functions/set_floats.rs", "Calls of `setElems` on arrays of numbers."),
         },
         Needs::Nothing => ("functions/plain.rs", "Calls of functions of their arguments alone."),
-        Needs::Env => ("functions/run.rs", "Calls of functions that read the run."),
+        Needs::Env if row.ty.is_array() => {
+            ("functions/arrays.rs", "Calls of functions that read the run and make an array.")
+        }
+        Needs::Env => ("functions/run.rs", "Calls of functions that read the run and make a single value."),
         Needs::Shape | Needs::Both | Needs::Component => {
             ("functions/shape.rs", "Calls of functions that read the current shape.")
         }

@@ -110,14 +110,8 @@ impl Generator<'_> {
                 };
                 self.function_call(name, expr, at)
             }
-            ExprKind::EachUnary(operator, inner) => {
-                let name = match operator {
-                    EachUnary::Neg => code!(each_minus),
-                    EachUnary::Not => code!(each_not),
-                };
-                let inner = self.expr(inner, at);
-                code!(cga_rt::func::#name(#inner))
-            }
+            ExprKind::EachUnary(EachUnary::Neg, _) => self.function_call("each_minus", expr, at),
+            ExprKind::EachUnary(EachUnary::Not, _) => self.function_call("each_not", expr, at),
             ExprKind::Each(operator, ..) => {
                 self.function_call(&format!("each_{}", function_name(*operator, expr.ty)), expr, at)
             }

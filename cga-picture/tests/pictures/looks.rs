@@ -22,7 +22,7 @@ fn normal_maps_turn_the_light() {
         let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, -1.0], [0.0, -1.0]].map(|[x, z]| DVec3::new(x, 0.0, z));
         let mut scene = Scene::new(Bounds::of(corners));
         let map = scene.add_normal_map(Bitmap::filled(4, 4, texel));
-        let paint = scene.add_paint(Paint { normal_image: Some(map), ..Paint::default() });
+        let paint = scene.add_paint(Paint { normal_image: (texel[3] == 255).then_some(map), ..Paint::default() });
         scene.add_face(&Face { normal_uvs: Some(uvs), ..Face::new(&corners, &HALVES, DVec3::Y, paint) });
         let mut renderer = Renderer::new(32, 32);
         renderer.view = Viewpoint::Around { azimuth: 0.0, elevation: 90.0 };
@@ -32,11 +32,15 @@ fn normal_maps_turn_the_light() {
         u32::from(picture.pixel(16, 16).expect("a pixel")[0])
     };
     const FLAT: [u8; 4] = [128, 128, 255, 255];
+    const NONE: [u8; 4] = [0; 4];
     const EAST: [u8; 4] = [218, 128, 218, 255];
     let turned = [WHOLE[1], WHOLE[2], WHOLE[3], WHOLE[0]];
     let [east, west, south] = [90.0, -90.0, 0.0];
     let flat = brightness(FLAT, east, &WHOLE);
-    assert_eq!(flat, brightness(FLAT, west, &WHOLE));
+    for sun in [east, west, south] {
+        assert_eq!(brightness(FLAT, sun, &WHOLE), brightness(NONE, sun, &WHOLE));
+        assert_eq!(brightness([127, 127, 255, 255], sun, &WHOLE), brightness(NONE, sun, &WHOLE));
+    }
     assert!(flat + 10 < brightness(EAST, east, &WHOLE));
     assert!(brightness(EAST, west, &WHOLE) + 10 < flat);
     // u runs to the south here.

@@ -49,6 +49,9 @@ pub fn clamp_each<T: Element>(env: &mut Env, x: Array<T>, low: Array<T>, high: A
     if !(same_form(env, "clamp", &x, &low) && same_form(env, "clamp", &x, &high)) {
         return Array::default();
     }
+    if !env.may_hold(x.len()) {
+        return Array::default();
+    }
     let bounds = low.as_slice().iter().zip(high.as_slice());
     let values: Vec<T> =
         x.as_slice().iter().zip(bounds).map(|(x, (low, high))| clamp(x.clone(), low.clone(), high.clone())).collect();

@@ -101,23 +101,23 @@ pub fn no_texts() -> Array<Text> {
 }
 
 /// [`bool_to_float`] of each element (*floatArray function*).
-pub fn floats_from_bools(array: Array<bool>) -> Array<f64> {
-    array.map(|truth| bool_to_float(*truth))
+pub fn floats_from_bools(env: &mut Env, array: Array<bool>) -> Array<f64> {
+    env.map(&array, |truth| bool_to_float(*truth))
 }
 
 /// [`text_to_float`] of each element (*floatArray function*).
-pub fn floats_from_texts(array: Array<Text>) -> Array<f64> {
-    array.map(|text| text_to_float(text.clone()))
+pub fn floats_from_texts(env: &mut Env, array: Array<Text>) -> Array<f64> {
+    env.map(&array, |text| text_to_float(text.clone()))
 }
 
 /// [`float_to_bool`] of each element (*boolArray function*).
-pub fn bools_from_floats(array: Array<f64>) -> Array<bool> {
-    array.map(|number| float_to_bool(*number))
+pub fn bools_from_floats(env: &mut Env, array: Array<f64>) -> Array<bool> {
+    env.map(&array, |number| float_to_bool(*number))
 }
 
 /// [`text_to_bool`] of each element (*boolArray function*).
-pub fn bools_from_texts(array: Array<Text>) -> Array<bool> {
-    array.map(|text| truth(text))
+pub fn bools_from_texts(env: &mut Env, array: Array<Text>) -> Array<bool> {
+    env.map(&array, |text| truth(text))
 }
 
 /// [`float_to_text`] of each element (*stringArray function*).
@@ -126,8 +126,8 @@ pub fn texts_from_floats(env: &mut Env, array: Array<f64>) -> Array<Text> {
 }
 
 /// [`bool_to_text`] of each element (*stringArray function*).
-pub fn texts_from_bools(array: Array<bool>) -> Array<Text> {
-    array.map(|truth| bool_to_text(*truth))
+pub fn texts_from_bools(env: &mut Env, array: Array<bool>) -> Array<Text> {
+    env.map(&array, |truth| bool_to_text(*truth))
 }
 
 /// Returns true if a number represents "no value" (*isNull function*).
@@ -141,13 +141,13 @@ pub fn isnull_text(x: Text) -> bool {
 }
 
 /// [`isnull_float`] of each element.
-pub fn isnull_float_each(array: Array<f64>) -> Array<bool> {
-    array.map(|number| number.is_nan())
+pub fn isnull_float_each(env: &mut Env, array: Array<f64>) -> Array<bool> {
+    env.map(&array, |number| number.is_nan())
 }
 
 /// [`isnull_text`] of each element.
-pub fn isnull_text_each(array: Array<Text>) -> Array<bool> {
-    array.map(|text| text.as_str() == NULL)
+pub fn isnull_text_each(env: &mut Env, array: Array<Text>) -> Array<bool> {
+    env.map(&array, |text| text.as_str() == NULL)
 }
 
 #[cfg(test)]
@@ -229,14 +229,14 @@ mod tests {
     #[test]
     fn arrays_are_converted() {
         let env = &mut env();
-        let numbers = floats_from_texts(Array::from(["1.5", "-2", "0", "nixda", "5+6"].map(text)));
+        let numbers = floats_from_texts(env, Array::from(["1.5", "-2", "0", "nixda", "5+6"].map(text)));
         assert_eq!(numbers.to_string(), "(5)[1.5,-2,0,nan,5]");
-        assert_eq!(floats_from_bools(Array::from([true, false, true])), Array::from([1.0, 0.0, 1.0]));
-        assert_eq!(bools_from_floats(Array::from([1.0, 0.0, 20.0])), Array::from([true, false, true]));
+        assert_eq!(floats_from_bools(env, Array::from([true, false, true])), Array::from([1.0, 0.0, 1.0]));
+        assert_eq!(bools_from_floats(env, Array::from([1.0, 0.0, 20.0])), Array::from([true, false, true]));
         let truths = Array::from(["true", "1", "0", "f", "false", "schwiizer nati"].map(text));
-        assert_eq!(bools_from_texts(truths), Array::from([true, true, false, false, false, true]));
+        assert_eq!(bools_from_texts(env, truths), Array::from([true, true, false, false, false, true]));
         assert_eq!(texts_from_floats(env, Array::from([1.0, 1.777, 20.0])).to_string(), "(3)[1,1.777,20]");
-        assert_eq!(texts_from_bools(Array::from([true, false])), Array::from(["true", "false"].map(text)));
+        assert_eq!(texts_from_bools(env, Array::from([true, false])), Array::from(["true", "false"].map(text)));
         assert!(no_floats().is_empty() && no_bools().is_empty() && no_texts().is_empty());
         texts_from_floats(&mut small_env(10, 4), Array::from([1.25]));
         let env = &mut small_env(10, 3);
@@ -247,9 +247,13 @@ mod tests {
     #[test]
     fn null_is_nan_or_a_private_character() {
         // *isNull function*.
+        let env = &mut env();
         assert!(isnull_float(f64::NAN) && !isnull_float(0.0) && !isnull_float(f64::INFINITY));
         assert!(isnull_text(text("\u{e000}")) && !isnull_text(text("CityEngine")) && !isnull_text(text("")));
-        assert_eq!(isnull_text_each(Array::from(["CityEngine", "\u{e000}"].map(text))), Array::from([false, true]));
-        assert_eq!(isnull_float_each(Array::from([0.0, f64::NAN])), Array::from([false, true]));
+        assert_eq!(
+            isnull_text_each(env, Array::from(["CityEngine", "\u{e000}"].map(text))),
+            Array::from([false, true])
+        );
+        assert_eq!(isnull_float_each(env, Array::from([0.0, f64::NAN])), Array::from([false, true]));
     }
 }

@@ -5,6 +5,7 @@ use std::fmt::{self, Write};
 use crate::fault::LimitKind;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
+use crate::value::array::Array;
 use crate::value::text::Text;
 
 /// The bytes of a value up to which it does not count for [`Limits::bytes`](crate::run::settings::Limits::bytes).
@@ -45,13 +46,30 @@ impl Env {
         flow.is_continue() && !self.ended()
     }
 
-    /// Counts a value that a function makes for [`Limits::bytes`](crate::run::settings::Limits::bytes). Short values do not count: rules make very many, and hold few.
-    /// Returns true if the run goes on.
+    /// Counts a value that a function makes for [`Limits::bytes`](crate::run::settings::Limits::bytes). Short values do not
+    /// count: rules make very many, and hold few. Returns true if the run goes on.
     fn count_value(&mut self, bytes: usize) -> bool {
         if SHORT < bytes {
-            let _: Flow = self.count_value_bytes(bytes as u64);
+            let _: Flow = self.count_bytes(bytes as u64);
         }
         !self.ended()
+    }
+
+    /// A part of a text, as a text of its own. If it is longer than the limit, the run ends and the text is empty.
+    pub(super) fn copy(&mut self, part: &str) -> Text {
+        if self.may_write(part.len()) { Text::from(part) } else { Text::default() }
+    }
+
+    /// Parts of a text in one row. If they are too many or too long, the run ends and the array is empty.
+    pub(super) fn copy_all<'t>(&mut self, parts: impl Iterator<Item = &'t str> + Clone) -> Array<Text> {
+        // Counts first, so that a text with many parts is refused before they are made.
+        let (count, bytes) = parts.clone().fold((0, 0), |(count, bytes), part| (count + 1, bytes + part.len()));
+        if self.may_hold(count) && self.may_write(bytes) { parts.map(Text::from).collect() } else { Array::default() }
+    }
+
+    /// An array with `each` applied to every element. If the run has ended or ends, the array is empty.
+    pub(super) fn map<T, R>(&mut self, array: &Array<T>, each: impl FnMut(&T) -> R) -> Array<R> {
+        if self.may_hold(array.len()) { array.map(each) } else { Array::default() }
     }
 
     /// The value as text. If it is longer than the limit, the run ends and the text is empty.
@@ -93,7 +111,9 @@ impl Write for Bounded {
 mod tests {
     use super::super::tests::{limit, small_env};
     use super::*;
+    use crate::func;
     use crate::run::settings::{Limits, Settings};
+    use crate::shape::Shape;
 
     #[test]
     fn what_is_too_large_ends_the_run() {
@@ -109,20 +129,54 @@ mod tests {
     #[test]
     fn long_values_count_for_the_limit_of_bytes() {
         let bytes = 1_000_000 + Limits::BYTES_A_SHAPE;
-        let most = |make: fn(&mut Env) -> bool| {
+        let most = |make: &dyn Fn(&mut Env) -> bool| {
             let settings = Settings { limits: Limits { bytes, ..Limits::default() }, ..Settings::default() };
-            let env = &mut Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+            let env = &mut Env::with_names(&settings, &[], &Shape::rectangle(1.0, 1.0), "");
             env.shapes = 1;
             let made = (0..10_000).take_while(|_| make(env)).count();
             assert!(made == 10_000 || limit(env) == Some(LimitKind::Bytes));
             made as u64
         };
-        assert_eq!(most(|env| env.may_write(1000)), bytes / 1000);
-        assert_eq!(most(|env| !env.write("x".repeat(1000)).is_empty()), bytes / 1000);
-        assert_eq!(most(|env| env.may_hold(100)), bytes / 1600);
+        assert_eq!(most(&|env| env.may_write(1000)), bytes / 1000);
+        assert_eq!(most(&|env| !env.write("x".repeat(1000)).is_empty()), bytes / 1000);
+        assert_eq!(most(&|env| env.may_hold(100)), bytes / 1600);
+        let parts: [fn(&mut Env, Text) -> bool; 9] = [
+            |env, text| !func::list_first(env, text).is_empty(),
+            |env, text| !func::list_last(env, text).is_empty(),
+            |env, text| !func::list_item(env, text, 0.0).is_empty(),
+            |env, text| !func::list_random(env, &mut Shape::rectangle(1.0, 1.0), text).is_empty(),
+            |env, text| !func::file_name(env, text).is_empty(),
+            |env, text| !func::file_basename(env, text).is_empty(),
+            |env, text| !func::list_to_array(env, text).is_empty(),
+            |env, text| !func::split_string(env, text, "/".into()).is_empty(),
+            |env, text| !func::split_string(env, text, "$/".into()).is_empty(),
+        ];
+        for (number, part) in parts.into_iter().enumerate() {
+            assert_eq!(most(&|env| part(env, "x".repeat(1000).into())), bytes / 1000, "{number}");
+        }
+        let extension = |env: &mut Env| !func::file_extension(env, format!(".{}", "x".repeat(1000)).into()).is_empty();
+        assert_eq!(most(&extension), bytes / 1000);
+        let directory = |env: &mut Env| !func::file_directory(env, format!("{}/", "x".repeat(999)).into()).is_empty();
+        assert_eq!(most(&directory), bytes / 1000);
+        let arrays: [fn(&mut Env, Array<f64>) -> bool; 11] = [
+            |env, array| !func::each_minus(env, array).is_empty(),
+            |env, array| !func::each_not(env, array.map(|_| true)).is_empty(),
+            |env, array| !func::each_add(env, array, 1.0).is_empty(),
+            |env, array| !func::each_concat(env, array, Text::default()).is_empty(),
+            |env, array| !func::clamp_each(env, array.clone(), array.clone(), array).is_empty(),
+            |env, array| !func::transpose(env, array).is_empty(),
+            |env, array| !func::sort_indices(env, array).is_empty(),
+            |env, array| !func::sort_row_indices(env, array).is_empty(),
+            |env, array| !func::floor_each(env, array).is_empty(),
+            |env, array| !func::bools_from_floats(env, array).is_empty(),
+            |env, array| !func::isnull_float_each(env, array).is_empty(),
+        ];
+        for (number, array) in arrays.into_iter().enumerate() {
+            assert_eq!(most(&|env| array(env, Array::new(vec![1.0; 100], 100, 1))), bytes / 1600, "{number}");
+        }
         // Short values do not count, and values in the making count once.
-        assert_eq!(most(|env| env.may_write(256) && env.may_hold(16)), 10_000);
-        assert_eq!(most(|env| env.may_print(1000) && env.may_grow(100)), 10_000);
+        assert_eq!(most(&|env| env.may_write(256) && env.may_hold(16)), 10_000);
+        assert_eq!(most(&|env| env.may_print(1000) && env.may_grow(100)), 10_000);
     }
 
     #[test]

@@ -53,13 +53,13 @@ pub fn list_count(list: Text, search: Text) -> f64 {
 }
 
 /// The first item; "" without one (*listFirst*).
-pub fn list_first(list: Text) -> Text {
-    items(&list).next().map(Text::from).unwrap_or_default()
+pub fn list_first(env: &mut Env, list: Text) -> Text {
+    env.copy(items(&list).next().unwrap_or_default())
 }
 
 /// The last item; "" without one (*listLast*).
-pub fn list_last(list: Text) -> Text {
-    items(&list).last().map(Text::from).unwrap_or_default()
+pub fn list_last(env: &mut Env, list: Text) -> Text {
+    env.copy(items(&list).last().unwrap_or_default())
 }
 
 /// The elements of an array as text, row by row (*listFromArray*).
@@ -78,11 +78,7 @@ pub fn list_from_array<T: Element>(env: &mut Env, array: Array<T>) -> Text {
 
 /// All items, including empty ones, in one row (*listToArray*).
 pub fn list_to_array(env: &mut Env, list: Text) -> Array<Text> {
-    let items = list.strip_suffix(';').unwrap_or(&list).split(';');
-    if list.is_empty() || !env.may_hold(items.clone().count()) {
-        return Array::default();
-    }
-    items.map(Text::from).collect()
+    if list.is_empty() { Array::default() } else { env.copy_all(list.strip_suffix(';').unwrap_or(&list).split(';')) }
 }
 
 /// The number of the first matching item, from 0; -1 without one (*listIndex*).
@@ -93,14 +89,14 @@ pub fn list_index(list: Text, search: Text) -> f64 {
 /// An item by its number, from 0; "" if it does not exist (*listItem*).
 pub fn list_item(env: &mut Env, list: Text, index: f64) -> Text {
     let index = whole(env.finite(index, "the index of an item"));
-    index.and_then(|index| items(&list).nth(index)).map(Text::from).unwrap_or_default()
+    env.copy(index.and_then(|index| items(&list).nth(index)).unwrap_or_default())
 }
 
 /// A random item; "" without items (*listRandom*). Always draws a random number.
-pub fn list_random(shape: &mut impl View, list: Text) -> Text {
+pub fn list_random(env: &mut Env, shape: &mut impl View, list: Text) -> Text {
     // The same formula as in the utility library, where `rand` includes its upper end.
     let place = shape.draw() * (items(&list).count() as f64 - 1e-7);
-    whole(place).and_then(|place| items(&list).nth(place)).map(Text::from).unwrap_or_default()
+    env.copy(whole(place).and_then(|place| items(&list).nth(place)).unwrap_or_default())
 }
 
 /// The items from number `start` to before number `end`, as a list (*listRange*).
@@ -161,8 +157,8 @@ mod tests {
         );
         assert_eq!(list_count(text("city;cityengine;city;"), text("city")), 2.0);
         assert_eq!([2.0, 0.9, -1.0, 3.0].map(|i| list_item(env, rule(), i)), ["city", "rule", "", ""].map(text));
-        assert_eq!((list_first(rule()), list_last(rule())), (text("rule"), text("city")));
-        assert_eq!((list_first(text(";;")), list_last(text(""))), (text(""), text("")));
+        assert_eq!((list_first(env, rule()), list_last(env, rule())), (text("rule"), text("city")));
+        assert_eq!((list_first(env, text(";;")), list_last(env, text(""))), (text(""), text("")));
         assert_eq!((list_size(rule()), list_size(text("a;;b")), list_size(text(""))), (3.0, 2.0, 0.0));
         assert_eq!(faults(env), 0);
         assert_eq!(list_item(env, rule(), f64::NAN), text("rule"));
@@ -223,14 +219,14 @@ mod tests {
 
     #[test]
     fn items_come_by_chance_and_evenly() {
-        let mut shape = Shape::rectangle(1.0, 1.0);
-        let drawn: Vec<Text> = (0..3000).map(|_| list_random(&mut shape, rule())).collect();
+        let (env, mut shape) = (&mut env(), Shape::rectangle(1.0, 1.0));
+        let drawn: Vec<Text> = (0..3000).map(|_| list_random(env, &mut shape, rule())).collect();
         for item in ["rule", "your", "city"] {
             let often = drawn.iter().filter(|other| other.as_str() == item).count();
             assert!((900..1100).contains(&often), "{item}: {often}");
         }
         let mut other = shape.clone();
-        assert_eq!(list_random(&mut shape, text("")), text(""));
+        assert_eq!(list_random(env, &mut shape, text("")), text(""));
         other.seed.draw();
         assert_eq!(shape.seed.draw(), other.seed.draw());
     }

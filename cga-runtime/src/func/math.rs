@@ -71,23 +71,23 @@ pub fn pow(env: &mut Env, base: f64, exponent: f64) -> f64 {
 }
 
 /// [`floor`] of each element.
-pub fn floor_each(array: Array<f64>) -> Array<f64> {
-    array.map(|x| x.floor())
+pub fn floor_each(env: &mut Env, array: Array<f64>) -> Array<f64> {
+    env.map(&array, |x| x.floor())
 }
 
 /// [`ceil`] of each element.
-pub fn ceil_each(array: Array<f64>) -> Array<f64> {
-    array.map(|x| x.ceil())
+pub fn ceil_each(env: &mut Env, array: Array<f64>) -> Array<f64> {
+    env.map(&array, |x| x.ceil())
 }
 
 /// [`rint`] of each element.
-pub fn rint_each(array: Array<f64>) -> Array<f64> {
-    array.map(|x| x.round_ties_even())
+pub fn rint_each(env: &mut Env, array: Array<f64>) -> Array<f64> {
+    env.map(&array, |x| x.round_ties_even())
 }
 
 /// [`abs`] of each element.
-pub fn abs_each(array: Array<f64>) -> Array<f64> {
-    array.map(|x| x.abs())
+pub fn abs_each(env: &mut Env, array: Array<f64>) -> Array<f64> {
+    env.map(&array, |x| x.abs())
 }
 
 /// Returns true if `x` is NaN (*isnan function*).
@@ -101,13 +101,13 @@ pub fn isinf(x: f64) -> bool {
 }
 
 /// [`isnan`] of each element.
-pub fn isnan_each(array: Array<f64>) -> Array<bool> {
-    array.map(|x| x.is_nan())
+pub fn isnan_each(env: &mut Env, array: Array<f64>) -> Array<bool> {
+    env.map(&array, |x| x.is_nan())
 }
 
 /// [`isinf`] of each element.
-pub fn isinf_each(array: Array<f64>) -> Array<bool> {
-    array.map(|x| x.is_infinite())
+pub fn isinf_each(env: &mut Env, array: Array<f64>) -> Array<bool> {
+    env.map(&array, |x| x.is_infinite())
 }
 
 #[cfg(test)]
@@ -133,11 +133,11 @@ mod tests {
         assert_eq!((floor(env, -1.5), ceil(env, -1.5), abs(env, -1.5)), (-2.0, -1.0, 1.5));
         assert_eq!([0.5, 1.5, 2.4, -2.6].map(|x| rint(env, x)), [0.0, 2.0, 2.0, -3.0]);
         let array = Array::from([-1.5, 2.0]);
-        assert_eq!(floor_each(array.clone()), Array::from([-2.0, 2.0]));
-        assert_eq!(ceil_each(array.clone()), Array::from([-1.0, 2.0]));
-        assert_eq!(rint_each(array.clone()), Array::from([-2.0, 2.0]));
-        assert_eq!(abs_each(array), Array::from([1.5, 2.0]));
-        assert!(abs_each(Array::from([f64::NAN])).as_slice()[0].is_nan(), "a missing value stays missing");
+        assert_eq!(floor_each(env, array.clone()), Array::from([-2.0, 2.0]));
+        assert_eq!(ceil_each(env, array.clone()), Array::from([-1.0, 2.0]));
+        assert_eq!(rint_each(env, array.clone()), Array::from([-2.0, 2.0]));
+        assert_eq!(abs_each(env, array), Array::from([1.5, 2.0]));
+        assert!(abs_each(env, Array::from([f64::NAN])).as_slice()[0].is_nan(), "a missing value stays missing");
     }
 
     #[test]
@@ -153,8 +153,8 @@ mod tests {
         let env = &mut env();
         let (infinite, none) = (ln(env, 0.0), ln(env, -1.0));
         assert!(isinf(infinite) && !isnan(infinite) && !isinf(none) && isnan(none));
-        assert_eq!(isinf_each(Array::from([1.0, 1.0 / 0.0])), Array::from([false, true]));
-        assert_eq!(isnan_each(Array::from([1.0, none])), Array::from([false, true]));
+        assert_eq!(isinf_each(env, Array::from([1.0, 1.0 / 0.0])), Array::from([false, true]));
+        assert_eq!(isnan_each(env, Array::from([1.0, none])), Array::from([false, true]));
         assert_eq!(faults(env), 0);
     }
 

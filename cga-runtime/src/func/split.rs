@@ -19,9 +19,7 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
         return Array::from([text]);
     }
     let Some(pattern) = delimiter.strip_prefix('$') else {
-        // Counts first, so that a text with many delimiters is refused before its parts are made.
-        let parts = text.split(delimiter.as_str());
-        return if env.may_hold(parts.clone().count()) { parts.map(Text::from).collect() } else { Array::default() };
+        return env.copy_all(text.split(delimiter.as_str()));
     };
     let pattern = match Regex::new(pattern) {
         Ok(pattern) => pattern,
@@ -39,7 +37,6 @@ pub fn split_string(env: &mut Env, text: Text, delimiter: Text) -> Array<Text> {
 
 fn split_by_pattern(env: &mut Env, pattern: &Regex, text: &str) -> Result<Array<Text>, TooLong> {
     let text: Vec<char> = text.chars().collect();
-    let part = |start: usize, end: usize| Text::from(text[start..end].iter().collect::<String>());
     let mut search = RegexSearch::new(pattern, &text)?;
     let (mut parts, mut part_start, mut from) = (Vec::new(), 0, 0);
     while let Some((start, end)) = if from <= text.len() { search.find(from)? } else { None } {
@@ -48,17 +45,18 @@ fn split_by_pattern(env: &mut Env, pattern: &Regex, text: &str) -> Result<Array<
         if start == end && start == part_start && !parts.is_empty() {
             continue;
         }
-        parts.push(part(part_start, start));
+        parts.push(&text[part_start..start]);
         part_start = end;
         if !env.may_grow(parts.len() + 1) {
             return Ok(Array::default());
         }
     }
-    if !env.may_hold(parts.len() + 1) {
+    parts.push(&text[part_start..]);
+    let bytes = parts.iter().flat_map(|part| part.iter()).map(|c| c.len_utf8()).sum();
+    if !(env.may_hold(parts.len()) && env.may_write(bytes)) {
         return Ok(Array::default());
     }
-    parts.push(part(part_start, text.len()));
-    Ok(Array::from(parts))
+    Ok(parts.into_iter().map(|part| Text::from(part.iter().collect::<String>())).collect())
 }
 
 #[cfg(test)]

@@ -14,11 +14,6 @@ pub fn concat(env: &mut Env, a: Text, b: Text) -> Text {
     }
 }
 
-/// A part of a text, as a text of its own.
-fn own_text(env: &mut Env, text: &str) -> Text {
-    if env.may_write(text.len()) { Text::from(text) } else { Text::default() }
-}
-
 /// The number of characters (*len function*).
 pub fn len(text: Text) -> f64 {
     text.chars().count() as f64
@@ -51,7 +46,7 @@ pub fn substring(env: &mut Env, text: Text, start: f64, end: f64) -> Text {
     let start = whole(env.finite(start, "the start of a substring")).unwrap_or(0);
     let end = whole(env.finite(end, "the end of a substring")).unwrap_or(0);
     let byte = |place: usize| text.char_indices().nth(place).map_or(text.len(), |(byte, _)| byte);
-    if end <= start { Text::default() } else { own_text(env, &text[byte(start)..byte(end)]) }
+    if end <= start { Text::default() } else { env.copy(&text[byte(start)..byte(end)]) }
 }
 
 /// The text with every occurrence of `old` replaced (*replace*). An empty `old` does not occur. `new` may be a number
@@ -85,7 +80,7 @@ pub fn find_last(text: Text, part: Text) -> f64 {
 /// The text before the first occurrence; the whole text without one (*getPrefix*).
 pub fn get_prefix(env: &mut Env, text: Text, part: Text) -> Text {
     match text.split_once(part.as_str()) {
-        Some((before, _)) => own_text(env, before),
+        Some((before, _)) => env.copy(before),
         None => text,
     }
 }
@@ -93,7 +88,7 @@ pub fn get_prefix(env: &mut Env, text: Text, part: Text) -> Text {
 /// The text after the last occurrence; the whole text without one (*getSuffix*).
 pub fn get_suffix(env: &mut Env, text: Text, part: Text) -> Text {
     match text.rsplit_once(part.as_str()) {
-        Some((_, behind)) => own_text(env, behind),
+        Some((_, behind)) => env.copy(behind),
         None => text,
     }
 }
@@ -102,7 +97,7 @@ pub fn get_suffix(env: &mut Env, text: Text, part: Text) -> Text {
 /// the whole text if one of them does not occur.
 pub fn get_range(env: &mut Env, text: Text, left: Text, right: Text) -> Text {
     match text.find(left.as_str()).zip(text.rfind(right.as_str())) {
-        Some((start, end)) => own_text(env, text.get(start + left.len()..end).unwrap_or_default()),
+        Some((start, end)) => env.copy(text.get(start + left.len()..end).unwrap_or_default()),
         None => text,
     }
 }

@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn materials_that_rules_make_count_for_the_limit_of_bytes() {
         let room = 1_000_000;
-        let made = |name: &str| {
+        let made = |name: &str, change: fn(&mut Env, &mut Shape, f64)| {
             let limits = Limits { bytes: room + Limits::BYTES_A_SHAPE, ..Limits::default() };
             let settings = Settings { limits, ..Settings::default() };
             let (mut shape, mut count) = (Shape::cuboid(1.0, 1.0, 1.0), 0u32);
@@ -242,13 +242,16 @@ mod tests {
             shape.change_material(|material| material.name = Some(name.into()));
             env.shapes = 1;
             while !env.ended() {
-                material_opacity(env, &mut shape, 1.0 / f64::from(count));
+                change(env, &mut shape, 1.0 / f64::from(count + 1));
                 count += 1;
             }
             u64::from(count) - 1
         };
-        assert_eq!(made(""), room / Limits::BYTES_A_LOOK);
-        assert_eq!(made(&"n".repeat(5000)), room / (Limits::BYTES_A_LOOK + 5000));
+        assert_eq!(made("", material_opacity), room / Limits::BYTES_A_LOOK);
+        assert_eq!(made(&"n".repeat(5000), material_opacity), room / (Limits::BYTES_A_LOOK + 5000));
+        let color: fn(&mut Env, &mut Shape, f64) =
+            |env, shape, red| crate::op::color_rgba(env, shape, red, 0.0, 0.0, red);
+        assert_eq!(made("", color), room / Limits::BYTES_A_LOOK);
     }
 
     #[test]

@@ -40,20 +40,21 @@ fn count(shape: &Shape, of_wire: fn(&Wire) -> usize, of_mesh: fn(&Mesh) -> usize
 /// `geometry.groups()`: the names of the groups that have faces, in their order; faces without a group come last
 /// (*geometry.groups function*). Such faces of the initial shape have its name (*CGA changelog 2021.0*), inserted
 /// ones an empty name.
-pub fn geometry_groups(env: &Env, shape: &Shape) -> Array<Text> {
+pub fn geometry_groups(env: &mut Env, shape: &Shape) -> Array<Text> {
     let is_foreign = shape.state.get().is_some_and(|state| state.foreign);
     let nameless = if is_foreign { Text::default() } else { env.initial.name.clone() };
-    names(shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())), nameless)
+    names(env, shape, |tag| tag.group, |mesh, id| mesh.groups().get(id).map(|name| Text::from(name.as_str())), nameless)
 }
 
 /// `geometry.materials()`: the names of the materials that faces have, in their order; faces without a material come
 /// last, with an empty name (*geometry.materials function*).
-pub fn geometry_materials(shape: &Shape) -> Array<Text> {
+pub fn geometry_materials(env: &mut Env, shape: &Shape) -> Array<Text> {
     let name = |mesh: &Mesh, id: usize| mesh.materials::<Material>().get(id).and_then(|look| look.name.clone());
-    names(shape, |tag| tag.material, name, Text::default())
+    names(env, shape, |tag| tag.material, name, Text::default())
 }
 
 fn names(
+    env: &mut Env,
     shape: &Shape,
     id: fn(&FaceTag) -> u32,
     name: fn(&Mesh, usize) -> Option<Text>,
@@ -63,5 +64,8 @@ fn names(
     let mut used: Vec<u32> = mesh.face_attributes().map(|tag| id(&tag)).collect();
     used.sort_unstable();
     used.dedup();
+    if !env.may_hold(used.len()) {
+        return Array::default();
+    }
     used.into_iter().map(|id| name(&mesh, id as usize).unwrap_or_else(|| nameless.clone())).collect()
 }

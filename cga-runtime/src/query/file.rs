@@ -162,7 +162,8 @@ fn unknown(env: &mut Env, file: &File, why: &AssetError) -> f64 {
 /// the file is missing, empty text with a fault.
 pub fn read_text_file(env: &mut Env, file: File) -> Text {
     match read_text(env, &file, "txt") {
-        Ok(text) => Text::from(text),
+        Ok(text) if env.may_write(text.len()) => Text::from(text),
+        Ok(_) => Text::default(),
         Err(why) => {
             env.asset_fault(format!("`{file}` cannot be read: {why}; it gives empty text"));
             Text::default()
@@ -290,6 +291,9 @@ mod tests {
         std::fs::write(folder.join("a.png"), png).expect("a file");
         let env = &mut env(Assets::below(&folder));
         assert_eq!(read_text_file(env, "note.txt".into()).as_str(), "one\ntwo");
+        let small = &mut self::env(Assets::below(&folder));
+        small.settings.limits.text = 6;
+        assert!(read_text_file(small, "note.txt".into()).is_empty() && small.ended());
         let size = [ImageDimension::Sx, ImageDimension::Sy].map(|what| image_info(env, "a.png".into(), what));
         assert_eq!(size, [7.0, 9.0]);
         assert!(file_exists(env, "note.txt".into()) && file_exists(env, "assets/note.txt".into()));

@@ -34,7 +34,8 @@ pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
 /// `readFloatTable(file)`: the cells of a table as numbers (*readTable functions*). Text that is not a number becomes
 /// NaN.
 pub fn read_float_table(env: &mut Env, file: File) -> Array<f64> {
-    floats_from_texts(read_string_table(env, file))
+    let table = read_string_table(env, file);
+    floats_from_texts(env, table)
 }
 
 /// The cells of a table.

@@ -37,9 +37,9 @@ pub struct Limits {
     /// texture coordinates of its own also counts its vertices, and [`BYTES_A_UV`](Limits::BYTES_A_UV) for each of them and each set
     /// beyond the first. An operation that sets a material with arguments that vary counts [`BYTES_A_LOOK`](Limits::BYTES_A_LOOK) and
     /// the texts of the material. A text of more than 256 bytes that a function makes counts its bytes, and an array of more than 16
-    /// elements counts 16 bytes for each of them. They are counted before memory is taken, and what is dropped stays counted. So a run takes about as
-    /// much memory, its model included; small solids take up to twice as much. Assets and waiting calls have limits of their own, and
-    /// a GLB file takes up to 4 kB more for each material while it is made.
+    /// elements counts 16 bytes for each of them. They are counted before memory is taken, and what is dropped stays counted. So a
+    /// run takes about as much memory, its model included; small solids take up to twice as much. Assets and waiting calls have
+    /// limits of their own, and a GLB file takes up to 4 kB more for each material while it is made.
     pub bytes: u64,
 }
 

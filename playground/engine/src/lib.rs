@@ -10,11 +10,11 @@ pub mod engine;
 pub mod entry;
 mod examples;
 mod facts;
-#[allow(dead_code, reason = "of the command, which has more errors")]
+#[allow(dead_code, reason = "shared with the command, which uses more of it")]
 #[path = "../../../cga-cli/src/features.rs"]
 mod features;
 pub mod finding;
-#[allow(dead_code, reason = "of the command, which has more errors")]
+#[allow(dead_code, reason = "shared with the command, which uses more of it")]
 #[path = "../../../cga-cli/src/footprints.rs"]
 mod footprints;
 mod inline;

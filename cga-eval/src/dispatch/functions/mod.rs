@@ -1,5 +1,6 @@
 //! Calls of functions.
 
+mod arrays;
 mod plain;
 mod run;
 mod set_bools;
@@ -15,6 +16,7 @@ use super::FunctionCall;
 pub(super) fn call(key: &str, args: &[Expr]) -> Option<FunctionCall> {
     plain::call(key, args)
         .or_else(|| run::call(key, args))
+        .or_else(|| arrays::call(key, args))
         .or_else(|| shape::call(key, args))
         .or_else(|| set_floats::call(key, args))
         .or_else(|| set_bools::call(key, args))

@@ -9,30 +9,10 @@ use cga_runtime::rt::func;
 /// The call of a function of this group, by the key of its row.
 pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
     Some(match key {
-        "abs_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::abs_each(a0);
-            stack.push_floats(value);
-        }),
         "bool_to_float(bool)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.bool();
             let value = func::bool_to_float(a0);
             stack.push_float(value);
-        }),
-        "bools_from_floats(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::bools_from_floats(a0);
-            stack.push_bools(value);
-        }),
-        "bools_from_texts(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::bools_from_texts(a0);
-            stack.push_bools(value);
-        }),
-        "ceil_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::ceil_each(a0);
-            stack.push_floats(value);
         }),
         "clamp(float, float, float)" => FunctionCall::new(move |stack, _, _| {
             let a2 = stack.float();
@@ -58,26 +38,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.bools();
             let value = func::count_true(a0);
             stack.push_float(value);
-        }),
-        "file_basename(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::file_basename(a0);
-            stack.push_text(value);
-        }),
-        "file_directory(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::file_directory(a0);
-            stack.push_text(value);
-        }),
-        "file_extension(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::file_extension(a0);
-            stack.push_text(value);
-        }),
-        "file_name(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::file_name(a0);
-            stack.push_text(value);
         }),
         "find_element(bools, bool)" => FunctionCall::new(move |stack, _, _| {
             let a1 = stack.bool();
@@ -108,60 +68,25 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::float_to_bool(a0);
             stack.push_bool(value);
         }),
-        "floats_from_bools(bools)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.bools();
-            let value = func::floats_from_bools(a0);
-            stack.push_floats(value);
-        }),
-        "floats_from_texts(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::floats_from_texts(a0);
-            stack.push_floats(value);
-        }),
-        "floor_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::floor_each(a0);
-            stack.push_floats(value);
-        }),
         "isinf(float)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.float();
             let value = func::isinf(a0);
             stack.push_bool(value);
-        }),
-        "isinf_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::isinf_each(a0);
-            stack.push_bools(value);
         }),
         "isnan(float)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.float();
             let value = func::isnan(a0);
             stack.push_bool(value);
         }),
-        "isnan_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::isnan_each(a0);
-            stack.push_bools(value);
-        }),
         "isnull_float(float)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.float();
             let value = func::isnull_float(a0);
             stack.push_bool(value);
         }),
-        "isnull_float_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::isnull_float_each(a0);
-            stack.push_bools(value);
-        }),
         "isnull_text(text)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.text();
             let value = func::isnull_text(a0);
             stack.push_bool(value);
-        }),
-        "isnull_text_each(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::isnull_text_each(a0);
-            stack.push_bools(value);
         }),
         "len(text)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.text();
@@ -174,21 +99,11 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::list_count(a0, a1);
             stack.push_float(value);
         }),
-        "list_first(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::list_first(a0);
-            stack.push_text(value);
-        }),
         "list_index(text, text)" => FunctionCall::new(move |stack, _, _| {
             let a1 = stack.text();
             let a0 = stack.text();
             let value = func::list_index(a0, a1);
             stack.push_float(value);
-        }),
-        "list_last(text)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.text();
-            let value = func::list_last(a0);
-            stack.push_text(value);
         }),
         "list_size(text)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.text();
@@ -261,11 +176,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let value = func::no_texts();
             stack.push_texts(value);
         }),
-        "rint_each(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::rint_each(a0);
-            stack.push_floats(value);
-        }),
         "size(bools)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.bools();
             let value = func::size(a0);
@@ -280,26 +190,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.texts();
             let value = func::size(a0);
             stack.push_float(value);
-        }),
-        "sort_indices(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::sort_indices(a0);
-            stack.push_floats(value);
-        }),
-        "sort_indices(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::sort_indices(a0);
-            stack.push_floats(value);
-        }),
-        "sort_row_indices(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::sort_row_indices(a0);
-            stack.push_floats(value);
-        }),
-        "sort_row_indices(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::sort_row_indices(a0);
-            stack.push_floats(value);
         }),
         "sum(floats)" => FunctionCall::new(move |stack, _, _| {
             let a0 = stack.floats();
@@ -320,26 +210,6 @@ pub(super) fn call(key: &str, _: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.text();
             let value = func::text_to_text(a0);
             stack.push_text(value);
-        }),
-        "texts_from_bools(bools)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.bools();
-            let value = func::texts_from_bools(a0);
-            stack.push_texts(value);
-        }),
-        "transpose(bools)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.bools();
-            let value = func::transpose(a0);
-            stack.push_bools(value);
-        }),
-        "transpose(floats)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.floats();
-            let value = func::transpose(a0);
-            stack.push_floats(value);
-        }),
-        "transpose(texts)" => FunctionCall::new(move |stack, _, _| {
-            let a0 = stack.texts();
-            let value = func::transpose(a0);
-            stack.push_texts(value);
         }),
         _ => return None,
     })

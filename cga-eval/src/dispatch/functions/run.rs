@@ -1,4 +1,4 @@
-//! Calls of functions that read the run.
+//! Calls of functions that read the run and make a single value.
 //!
 //! Generated from the tables of `cga-lang`; write it again with `CGA_BLESS=1 cargo test -p cga-lang --test dispatch`.
 
@@ -39,26 +39,12 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::asset_metadata_bool(env, a0, a1, a2);
             stack.push_bool(value);
         }),
-        "asset_metadata_bools(file, text, bools)" => FunctionCall::new(move |stack, env, _| {
-            let a2 = stack.bools();
-            let a1 = stack.text();
-            let a0 = stack.file();
-            let value = func::asset_metadata_bools(env, a0, a1, a2);
-            stack.push_bools(value);
-        }),
         "asset_metadata_float(file, text, float)" => FunctionCall::new(move |stack, env, _| {
             let a2 = stack.float();
             let a1 = stack.text();
             let a0 = stack.file();
             let value = func::asset_metadata_float(env, a0, a1, a2);
             stack.push_float(value);
-        }),
-        "asset_metadata_floats(file, text, floats)" => FunctionCall::new(move |stack, env, _| {
-            let a2 = stack.floats();
-            let a1 = stack.text();
-            let a0 = stack.file();
-            let value = func::asset_metadata_floats(env, a0, a1, a2);
-            stack.push_floats(value);
         }),
         "asset_metadata_text(file, text, text)" => FunctionCall::new(move |stack, env, _| {
             let a2 = stack.text();
@@ -67,27 +53,12 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::asset_metadata_text(env, a0, a1, a2);
             stack.push_text(value);
         }),
-        "asset_metadata_texts(file, text, texts)" => FunctionCall::new(move |stack, env, _| {
-            let a2 = stack.texts();
-            let a1 = stack.text();
-            let a0 = stack.file();
-            let value = func::asset_metadata_texts(env, a0, a1, a2);
-            stack.push_texts(value);
-        }),
         "asset_naming_info(file, AssetNaming)" => {
             let a1 = words::func_asset_naming(known.word(1)?)?;
             FunctionCall::new(move |stack, env, _| {
                 let a0 = stack.file();
                 let value = func::asset_naming_info(env, a0, a1);
                 stack.push_text(value);
-            })
-        }
-        "asset_naming_infos(file, AssetNaming)" => {
-            let a1 = words::func_asset_naming(known.word(1)?)?;
-            FunctionCall::new(move |stack, env, _| {
-                let a0 = stack.file();
-                let value = func::asset_naming_infos(env, a0, a1);
-                stack.push_texts(value);
             })
         }
         "atan(float)" => FunctionCall::new(move |stack, env, _| {
@@ -105,20 +76,6 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.float();
             let value = func::ceil(env, a0);
             stack.push_float(value);
-        }),
-        "clamp_each(floats, floats, floats)" => FunctionCall::new(move |stack, env, _| {
-            let a2 = stack.floats();
-            let a1 = stack.floats();
-            let a0 = stack.floats();
-            let value = func::clamp_each(env, a0, a1, a2);
-            stack.push_floats(value);
-        }),
-        "clamp_each(texts, texts, texts)" => FunctionCall::new(move |stack, env, _| {
-            let a2 = stack.texts();
-            let a1 = stack.texts();
-            let a0 = stack.texts();
-            let value = func::clamp_each(env, a0, a1, a2);
-            stack.push_texts(value);
         }),
         "color_hex_to_b(text)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.text();
@@ -201,20 +158,35 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::exp(env, a0);
             stack.push_float(value);
         }),
+        "file_basename(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_basename(env, a0);
+            stack.push_text(value);
+        }),
+        "file_directory(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_directory(env, a0);
+            stack.push_text(value);
+        }),
         "file_exists(file)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.file();
             let value = func::file_exists(env, a0);
             stack.push_bool(value);
         }),
+        "file_extension(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_extension(env, a0);
+            stack.push_text(value);
+        }),
+        "file_name(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::file_name(env, a0);
+            stack.push_text(value);
+        }),
         "file_search(file)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.file();
             let value = func::file_search(env, a0);
             stack.push_text(value);
-        }),
-        "files_search(file)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.file();
-            let value = func::files_search(env, a0);
-            stack.push_texts(value);
         }),
         "find(text, text, float)" => FunctionCall::new(move |stack, env, _| {
             let a2 = stack.float();
@@ -282,6 +254,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::list_clean(env, a0);
             stack.push_text(value);
         }),
+        "list_first(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_first(env, a0);
+            stack.push_text(value);
+        }),
         "list_from_array(bools)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.bools();
             let value = func::list_from_array(env, a0);
@@ -301,6 +278,11 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a1 = stack.float();
             let a0 = stack.text();
             let value = func::list_item(env, a0, a1);
+            stack.push_text(value);
+        }),
+        "list_last(text)" => FunctionCall::new(move |stack, env, _| {
+            let a0 = stack.text();
+            let value = func::list_last(env, a0);
             stack.push_text(value);
         }),
         "list_range(text, float, float)" => FunctionCall::new(move |stack, env, _| {
@@ -333,11 +315,6 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::list_terminate(env, a0);
             stack.push_text(value);
         }),
-        "list_to_array(text)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.text();
-            let value = func::list_to_array(env, a0);
-            stack.push_texts(value);
-        }),
         "ln(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::ln(env, a0);
@@ -347,30 +324,6 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.float();
             let value = func::log10(env, a0);
             stack.push_float(value);
-        }),
-        "max_each(floats, floats)" => FunctionCall::new(move |stack, env, _| {
-            let a1 = stack.floats();
-            let a0 = stack.floats();
-            let value = func::max_each(env, a0, a1);
-            stack.push_floats(value);
-        }),
-        "max_each(texts, texts)" => FunctionCall::new(move |stack, env, _| {
-            let a1 = stack.texts();
-            let a0 = stack.texts();
-            let value = func::max_each(env, a0, a1);
-            stack.push_texts(value);
-        }),
-        "min_each(floats, floats)" => FunctionCall::new(move |stack, env, _| {
-            let a1 = stack.floats();
-            let a0 = stack.floats();
-            let value = func::min_each(env, a0, a1);
-            stack.push_floats(value);
-        }),
-        "min_each(texts, texts)" => FunctionCall::new(move |stack, env, _| {
-            let a1 = stack.texts();
-            let a0 = stack.texts();
-            let value = func::min_each(env, a0, a1);
-            stack.push_texts(value);
         }),
         "pow(float, float)" => FunctionCall::new(move |stack, env, _| {
             let a1 = stack.float();
@@ -383,45 +336,15 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::print(env, a0);
             stack.push_bool(value);
         }),
-        "print(bools)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.bools();
-            let value = func::print(env, a0);
-            stack.push_bools(value);
-        }),
         "print(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::print(env, a0);
             stack.push_float(value);
         }),
-        "print(floats)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.floats();
-            let value = func::print(env, a0);
-            stack.push_floats(value);
-        }),
         "print(text)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.text();
             let value = func::print(env, a0);
             stack.push_text(value);
-        }),
-        "print(texts)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.texts();
-            let value = func::print(env, a0);
-            stack.push_texts(value);
-        }),
-        "read_float_table(file)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.file();
-            let value = func::read_float_table(env, a0);
-            stack.push_floats(value);
-        }),
-        "read_material(file)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.file();
-            let value = func::read_material(env, a0);
-            stack.push_texts(value);
-        }),
-        "read_string_table(file)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.file();
-            let value = func::read_string_table(env, a0);
-            stack.push_texts(value);
         }),
         "read_text_file(file)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.file();
@@ -459,12 +382,6 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let value = func::sin(env, a0);
             stack.push_float(value);
         }),
-        "split_string(text, text)" => FunctionCall::new(move |stack, env, _| {
-            let a1 = stack.text();
-            let a0 = stack.text();
-            let value = func::split_string(env, a0, a1);
-            stack.push_texts(value);
-        }),
         "sqrt(float)" => FunctionCall::new(move |stack, env, _| {
             let a0 = stack.float();
             let value = func::sqrt(env, a0);
@@ -481,11 +398,6 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             let a0 = stack.float();
             let value = func::tan(env, a0);
             stack.push_float(value);
-        }),
-        "texts_from_floats(floats)" => FunctionCall::new(move |stack, env, _| {
-            let a0 = stack.floats();
-            let value = func::texts_from_floats(env, a0);
-            stack.push_texts(value);
         }),
         _ => return None,
     })

@@ -235,7 +235,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             stack.push_bool(value);
         }),
         "geometry_materials()" => FunctionCall::new(move |stack, env, current| {
-            let value = whole!(env, current, |shape| func::geometry_materials(shape,));
+            let value = whole!(env, current, |shape| func::geometry_materials(env, shape,));
             stack.push_texts(value);
         }),
         "geometry_n_edges()" => FunctionCall::new(move |stack, env, current| {
@@ -255,14 +255,14 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
             stack.push_float(value);
         }),
         "geometry_tags()" => FunctionCall::new(move |stack, env, current| {
-            let value = whole!(env, current, |shape| func::geometry_tags(shape,));
+            let value = whole!(env, current, |shape| func::geometry_tags(env, shape,));
             stack.push_texts(value);
         }),
         "geometry_tags_of(text, TaggedComponents)" => {
             let a1 = words::func_tagged_components(known.word(1)?)?;
             FunctionCall::new(move |stack, env, current| {
                 let a0 = stack.text();
-                let value = whole!(env, current, |shape| func::geometry_tags_of(shape, a0, a1,));
+                let value = whole!(env, current, |shape| func::geometry_tags_of(env, shape, a0, a1,));
                 stack.push_texts(value);
             })
         }
@@ -357,7 +357,7 @@ pub(super) fn call(key: &str, known: &[Expr]) -> Option<FunctionCall> {
         }
         "list_random(text)" => FunctionCall::new(move |stack, env, current| {
             let a0 = stack.text();
-            let value = view!(env, current, |shape| func::list_random(shape, a0,));
+            let value = view!(env, current, |shape| func::list_random(env, shape, a0,));
             stack.push_text(value);
         }),
         "minimum_distance(QueryTarget, text)" => {

@@ -81,6 +81,9 @@ pub(in super::super) fn each_pair<A: Operand, B: Operand, R: Element>(
     pair: impl Fn(A::Item, B::Item) -> R,
 ) -> Array<R> {
     let Some((rows, columns)) = common_form(env, what, &a, &b) else { return Array::default() };
+    if !env.may_hold(rows * columns) {
+        return Array::default();
+    }
     let values: Vec<R> = (0..rows * columns).map(|number| pair(a.item(number), b.item(number))).collect();
     Array::new(values, rows, columns)
 }
@@ -140,18 +143,21 @@ comparisons! {
 }
 
 /// `.- a`.
-pub fn each_minus(a: Array<f64>) -> Array<f64> {
-    a.map(|value| -value)
+pub fn each_minus(env: &mut Env, a: Array<f64>) -> Array<f64> {
+    env.map(&a, |value| -value)
 }
 
 /// `.! a`.
-pub fn each_not(a: Array<bool>) -> Array<bool> {
-    a.map(|value| !value)
+pub fn each_not(env: &mut Env, a: Array<bool>) -> Array<bool> {
+    env.map(&a, |value| !value)
 }
 
 /// `a .+ b` where one side is text: both as text, joined.
 pub fn each_concat(env: &mut Env, a: impl Operand, b: impl Operand) -> Array<Text> {
     let Some((rows, columns)) = common_form(env, ".+", &a, &b) else { return Array::default() };
+    if !env.may_hold(rows * columns) {
+        return Array::default();
+    }
     let mut values = Vec::with_capacity(rows * columns);
     let mut bytes = 0;
     for number in 0..rows * columns {
@@ -198,7 +204,7 @@ mod tests {
         assert_eq!(each_subtract(env, square([1.0, 2.0, 3.0, 4.0]), 1.0), square([0.0, 1.0, 2.0, 3.0]));
         assert_eq!(each_subtract(env, 3.0, row([1.0, 2.0])), row([2.0, 1.0]));
         assert_eq!(each_subtract(env, down([3.0, 2.0]), down([2.0, 1.0])), down([1.0, 1.0]));
-        assert_eq!(each_minus(down([1.0, 2.0])), down([-1.0, -2.0]));
+        assert_eq!(each_minus(env, down([1.0, 2.0])), down([-1.0, -2.0]));
         assert_eq!(each_multiply(env, row([4.0, 2.0]), 2.5), row([10.0, 5.0]));
         assert_eq!(each_multiply(env, -4.0, down([0.25, -0.75, -1.0])), down([-1.0, 3.0, 4.0]));
         let product = each_multiply(env, square([1.0, 2.0, 3.0, 4.0]), square([4.0, 3.0, 2.0, 1.0]));
@@ -216,7 +222,7 @@ mod tests {
     fn logic_and_comparison_work_element_by_element() {
         // *Array types operators*, the examples.
         let env = &mut env();
-        assert_eq!(each_not(row([true, false])), row([false, true]));
+        assert_eq!(each_not(env, row([true, false])), row([false, true]));
         assert_eq!(each_or(env, row([true, false]), true), row([true, true]));
         assert_eq!(each_or(env, false, down([false, true])), down([false, true]));
         assert_eq!(each_or(env, row([false, true]), row([false, false])), row([false, true]));

@@ -58,7 +58,10 @@ fn place(place: Option<usize>) -> f64 {
 }
 
 /// Rows as columns (*transpose function*).
-pub fn transpose<T: Element>(array: Array<T>) -> Array<T> {
+pub fn transpose<T: Element>(env: &mut Env, array: Array<T>) -> Array<T> {
+    if !env.may_hold(array.len()) {
+        return Array::default();
+    }
     let columns = (0..array.columns()).flat_map(|column| array.iter_rows().map(move |row| row[column].clone()));
     Array::new(columns.collect::<Vec<_>>(), array.columns(), array.rows())
 }
@@ -114,11 +117,13 @@ mod tests {
     #[test]
     fn rows_become_columns() {
         // *transpose function*.
+        let env = &mut env();
         let array = Array::from(vec![["a", "b"].map(text).to_vec(), ["c", "d"].map(text).to_vec()]);
-        assert_eq!(transpose(array.clone()).to_string(), "(2x2)\n   a   c\n   b   d");
-        assert_eq!(transpose(transpose(array.clone())), array);
-        assert_eq!((transpose(two_rows()).rows(), transpose(two_rows()).columns()), (3, 2));
-        assert_eq!(transpose(two_rows()).as_slice(), [1.0, 4.0, 2.0, 5.0, 3.0, 6.0]);
-        assert!(transpose(Array::<f64>::default()).is_empty());
+        assert_eq!(transpose(env, array.clone()).to_string(), "(2x2)\n   a   c\n   b   d");
+        let turned = transpose(env, array.clone());
+        assert_eq!(transpose(env, turned), array);
+        assert_eq!((transpose(env, two_rows()).rows(), transpose(env, two_rows()).columns()), (3, 2));
+        assert_eq!(transpose(env, two_rows()).as_slice(), [1.0, 4.0, 2.0, 5.0, 3.0, 6.0]);
+        assert!(transpose(env, Array::<f64>::default()).is_empty());
     }
 }

@@ -151,7 +151,7 @@ fn raised(scope: &Scope, axis: Axis, distance: f64) -> Scope {
 }
 
 fn extrude_any(env: &mut Env, shape: &mut Shape, how: Extrude, distance: f64) {
-    // Steps on slim shapes do not ask.
+    // Steps on slim shapes do not check the watch.
     if env.ask().is_break() {
         return;
     }

@@ -30,15 +30,15 @@ pub fn color_hex(env: &mut Env, shape: &mut Shape, hex: Text) {
 
 /// `color(r, g, b)`, each in 0..=1 (*color operation*).
 pub fn color_rgb(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64) {
-    let color = Color::new(env.finite(r, "red"), env.finite(g, "green"), env.finite(b, "blue"));
+    let color = finite_color(env, r, g, b);
     set::change_material(env, shape, |material| material.color = Some(color));
 }
 
 /// `color(r, g, b, opacity)`, each in 0..=1 (*color operation*).
 pub fn color_rgba(env: &mut Env, shape: &mut Shape, r: f64, g: f64, b: f64, opacity: f64) {
-    color_rgb(env, shape, r, g, b);
+    let color = finite_color(env, r, g, b);
     let opacity = env.finite(opacity, "opacity").clamp(0.0, 1.0);
-    set::change_material(env, shape, |material| material.opacity = Some(opacity));
+    set::change_material(env, shape, |material| (material.color, material.opacity) = (Some(color), Some(opacity)));
 }
 
 /// `opacity(f)`, an old spelling of `set(material.opacity, f)` (*opacity operation*, 2019.1).
@@ -126,6 +126,10 @@ pub fn reset_material(env: &mut Env, shape: &mut Shape, target: MaterialTarget) 
     }
     let mesh = Arc::new(placed.mesh.without_materials());
     shape.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
+}
+
+fn finite_color(env: &mut Env, r: f64, g: f64, b: f64) -> Color {
+    Color::new(env.finite(r, "red"), env.finite(g, "green"), env.finite(b, "blue"))
 }
 
 /// The channels of `#rrggbb` or `#rrggbboo`.

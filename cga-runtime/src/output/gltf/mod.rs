@@ -211,7 +211,8 @@ impl Glb {
         self
     }
 
-    /// The bytes of vertices and indices so far. The description, metadata and images come on top. A program that divides its output into
+    /// The bytes of vertices and indices so far, at least: [`with_quantization`](Glb::with_quantization) cannot shorten all of them. The
+    /// description, metadata and images come on top. A program that divides its output into
     /// files can stop when one is full.
     ///
     /// ```

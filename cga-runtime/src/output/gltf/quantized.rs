@@ -21,7 +21,7 @@ const MOST: f64 = 65_535.0;
 /// The smallest step of a grid: 2⁻²⁰ metres.
 const FINEST: f64 = 1.0 / 1_048_576.0;
 
-/// The most vertices that indices of 16 bits can name. The largest index means another thing in some interfaces.
+/// The most vertices that indices of 16 bits can name. Some interfaces reserve the largest index.
 const MOST_VERTICES: usize = 65_535;
 
 impl Glb {

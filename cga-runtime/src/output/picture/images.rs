@@ -67,7 +67,7 @@ impl Images {
         let assets = self.assets.as_deref();
         let found = match layer {
             Layer::Opacity => source::pixels(assets, name),
-            Layer::Normal => source::read(assets, name),
+            Layer::Normal => source::file_pixels(assets, name),
             _ => source::shown(assets, name),
         };
         let image = found.map(|mut pixels| {

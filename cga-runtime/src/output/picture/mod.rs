@@ -12,10 +12,10 @@
 //! edges. The same model gives the same bytes on every machine.
 //!
 //! Faces with texture coordinates show the colour map of their material. Their opacity map makes them transparent: by
-//! degrees, or fully or not at all if the mode is `mask`. Files are found in the assets of the model
-//! ([`Model::with_assets`]). Without an asset folder they are a checker pattern. If several transparent
-//! surfaces overlap, the nearest is drawn. Normal maps turn the light on a surface. Pictures show these three maps. A translucent box stands for a missing
-//! asset.
+//! degrees, or fully or not at all if the mode is `mask`. Normal maps change the direction of the light. Files are found in the
+//! assets of the model ([`Model::with_assets`]). Without an asset folder a colour map is a checker pattern, and a normal map is
+//! left out. If several transparent surfaces overlap, the nearest is drawn. Pictures show these three maps. A translucent box
+//! marks a missing asset.
 
 mod images;
 mod model_scene;

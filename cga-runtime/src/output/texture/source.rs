@@ -54,8 +54,8 @@ pub(crate) fn shown(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     }
 }
 
-/// The pixels of a map that shows nothing where its file is missing or broken.
-pub(crate) fn read(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
+/// The pixels of a file; `None` if it is missing or broken.
+pub(crate) fn file_pixels(assets: Option<&Assets>, name: &str) -> Option<Pixels> {
     match find(assets, name) {
         ImageSource::File(header, bytes) => {
             let image = decoded(&header, &bytes)??;

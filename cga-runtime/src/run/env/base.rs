@@ -11,8 +11,8 @@ use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Shape, ShapeRef};
 
-/// The units of work of a vertex of a mesh that a step reads.
-const READING: usize = 2;
+/// The units of work for reading a vertex of a mesh or a point of a path.
+pub(crate) const READING: usize = 2;
 
 impl Env {
     /// The whole form of a shape, for a step that reads or changes it. Its vertices count as work. A mesh is left out if the run

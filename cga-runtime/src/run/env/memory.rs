@@ -47,13 +47,13 @@ impl Env {
 
     /// Counts a mesh besides its vertices.
     fn count_mesh(&mut self) -> Flow {
-        self.count_mesh_bytes(Limits::BYTES_A_MESH)
+        self.count_bytes(Limits::BYTES_A_MESH)
     }
 
     /// Counts a leaf that is a mesh, and the vertices that it has for its texture coordinates alone.
     pub(crate) fn count_leaf(&mut self, own_vertices: u64, sets: u64) -> Flow {
         let vertex = Limits::BYTES_A_VERTEX + Limits::BYTES_A_UV * sets.saturating_sub(1);
-        self.count_mesh_bytes(Limits::BYTES_A_MESH.saturating_add(own_vertices.saturating_mul(vertex)))
+        self.count_bytes(Limits::BYTES_A_MESH.saturating_add(own_vertices.saturating_mul(vertex)))
     }
 
     /// Counts a look that an operation makes, with its texts.
@@ -61,15 +61,11 @@ impl Env {
         if !self.counts_looks {
             return ControlFlow::Continue(());
         }
-        self.count_mesh_bytes(Limits::BYTES_A_LOOK.saturating_add(material.text_bytes()))
+        self.count_bytes(Limits::BYTES_A_LOOK.saturating_add(material.text_bytes()))
     }
 
-    /// Counts the bytes of a text or an array that a function makes.
-    pub(crate) fn count_value_bytes(&mut self, bytes: u64) -> Flow {
-        self.count_mesh_bytes(bytes)
-    }
-
-    fn count_mesh_bytes(&mut self, bytes: u64) -> Flow {
+    /// Counts bytes of a mesh, a leaf, a look, a text or an array.
+    pub(crate) fn count_bytes(&mut self, bytes: u64) -> Flow {
         self.meshes.bytes = self.meshes.bytes.saturating_add(bytes);
         let most = self.most_shapes();
         // A smaller checkpoint: shapes count for bytes, too.

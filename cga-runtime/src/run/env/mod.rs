@@ -32,6 +32,7 @@ use crate::shape::Shape;
 use crate::shape::street::Streets;
 use crate::value::text::Text;
 
+pub(crate) use base::READING;
 use calls::FunctionCalls;
 use checkpoint::Checkpoint;
 use faults::FaultList;

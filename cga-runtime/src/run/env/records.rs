@@ -19,6 +19,10 @@ pub(crate) struct TapedReport {
 impl Env {
     /// Adds a value to the collection with a key.
     pub(crate) fn report(&mut self, key: Text, value: Value) {
+        // Values after the end of the run do not matter.
+        if self.ended() {
+            return;
+        }
         // A template reports it again and again.
         if self.measures_room() {
             // One more than the largest number tells that there are too many.
@@ -35,6 +39,9 @@ impl Env {
 
     /// Keeps a printed line.
     pub(crate) fn print(&mut self, value: Value) {
+        if self.ended() {
+            return;
+        }
         let before = self.before.as_deref().map_or(&[][..], |before| &before.rules);
         let rule = self.trail.last().or(before.last()).map_or_else(Text::default, |&rule| self.rule_name(rule));
         let (depth, limit) = (self.depth(), self.settings.limits.prints);

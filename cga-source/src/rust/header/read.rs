@@ -23,7 +23,7 @@ pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
     };
     // `#[…]` and `@Allow(…)` in any order.
     let (mut attributes, mut levels, mut annotations) = (Vec::new(), Vec::new(), Vec::new());
-    let mut runtime_at = None;
+    let mut runtime_at = Vec::new();
     loop {
         let start = at;
         while let (true, Some(TokenTree::Group(group))) = (is_sign(list.get(at), '#'), list.get(at + 1)) {
@@ -31,7 +31,10 @@ pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
                 break;
             }
             match runtime_path(group) {
-                Some(path) => (header.runtime, runtime_at) = (path, Some(at)),
+                Some(path) => {
+                    header.runtime = path;
+                    runtime_at.extend([at, at + 1]);
+                }
                 None => attributes.push([list[at].clone(), list[at + 1].clone()]),
             }
             at += 2;
@@ -67,7 +70,7 @@ pub fn read(input: TokenStream) -> (Header, Result<RulesText, Problem>) {
         }
         _ => {
             // Without a header everything is rules, except an attribute that names the runtime.
-            let is_rule = |at: usize| runtime_at.is_none_or(|start| !(start..start + 2).contains(&at));
+            let is_rule = |at: usize| !runtime_at.contains(&at);
             let rules = list.into_iter().enumerate().filter(|(at, _)| is_rule(*at)).map(|(_, token)| token);
             (header, Ok(RulesText::Inline(rules.collect())))
         }

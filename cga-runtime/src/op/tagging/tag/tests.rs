@@ -23,7 +23,7 @@ fn tagged(mut shape: Shape, tags: &[(&str, TagTarget)]) -> Shape {
 }
 
 fn names(shape: &Shape, query: &str, components: TaggedComponents) -> Vec<String> {
-    let found = geometry_tags_of(shape, query.into(), components);
+    let found = geometry_tags_of(&mut Env::for_tests(), shape, query.into(), components);
     assert_eq!(!found.is_empty(), geometry_has_tags_of(shape, query.into(), components));
     found.as_slice().iter().map(ToString::to_string).collect()
 }
@@ -40,7 +40,8 @@ fn shapes() -> [Shape; 4] {
 #[test]
 fn all_components_of_a_kind_get_the_tag() {
     for shape in shapes() {
-        let own: Vec<String> = geometry_tags(&shape).as_slice().iter().map(ToString::to_string).collect();
+        let own: Vec<String> =
+            geometry_tags(&mut Env::for_tests(), &shape).as_slice().iter().map(ToString::to_string).collect();
         let shape = tagged(
             shape,
             &[
@@ -59,7 +60,7 @@ fn all_components_of_a_kind_get_the_tag() {
         let points = 0..mesh.points().len() as u32;
         assert!(points.into_iter().all(|point| mesh.vertex_tags(point).unwrap().names() == ["c".into()]));
         // *geometry.tags function*: in the order of the alphabet.
-        let all = geometry_tags(&shape);
+        let all = geometry_tags(&mut Env::for_tests(), &shape);
         assert!(all.as_slice().is_sorted() && all.as_slice().len() == own.len() + 4);
         assert_eq!(names(&shape, "b", All), ["b.edge", "b.face"]);
         assert_eq!(
