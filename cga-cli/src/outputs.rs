@@ -74,24 +74,6 @@ pub(crate) fn check_inputs<'i>(
     }
 }
 
-/// Checks that outputs are new files if they are in the folder of assets. A watch writes its own outputs again, so it checks them once.
-///
-/// # Errors
-/// A sentence about a file that is written and exists among the assets.
-pub(crate) fn check_assets(options: &RunOptions) -> Result<(), String> {
-    let Some(assets) = &options.assets else { return Ok(()) };
-    // A folder that does not exist has another message.
-    let Ok(below) = assets.canonicalize() else { return Ok(()) };
-    match written(options).iter().find(|path| path.exists() && real(path).starts_with(&below)) {
-        Some(path) => Err(format!(
-            "`{}` exists among the assets in `{}`, and the rules may insert it; give the output another name or folder",
-            path.display(),
-            assets.display()
-        )),
-        None => Ok(()),
-    }
-}
-
 /// The files that a run writes. The materials of an OBJ file are beside it.
 fn written(options: &RunOptions) -> Vec<PathBuf> {
     let materials = options.output.iter().filter(|path| FileKind::of(path) == Ok(FileKind::Obj));

@@ -9,7 +9,7 @@ use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLo
 use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
-use crate::outputs::{Output, check_assets, check_inputs, check_outputs, write_reports};
+use crate::outputs::{Output, check_inputs, check_outputs, write_reports};
 use crate::stream::{print, say};
 
 /// The reason why a command ends.
@@ -31,8 +31,7 @@ impl Problem {
 
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {
-    let checked = check_assets(options).map_err(Problem::unusable);
-    checked.and_then(|()| run(options, &mut |_| Ok(false))).unwrap_or_else(|problem| {
+    run(options, &mut |_| Ok(false)).unwrap_or_else(|problem| {
         say(problem.message);
         problem.status
     })

@@ -7,7 +7,7 @@ use cga_eval::FileWatcher;
 
 use crate::Status;
 use crate::options::RunOptions;
-use crate::outputs::{check_assets, check_outputs};
+use crate::outputs::check_outputs;
 use crate::run::{self, Problem};
 use crate::stream::say;
 
@@ -25,7 +25,6 @@ pub(crate) fn command(options: &RunOptions) -> Status {
 fn watch(options: &RunOptions) -> Result<Infallible, String> {
     // A changed file cannot mend wrong outputs.
     check_outputs(options)?;
-    check_assets(options)?;
     let mut watcher = FileWatcher::new()?;
     watcher.follow_files([options.rules.file.as_path()])?;
     follow_lots(options, &mut watcher)?;
