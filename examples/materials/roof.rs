@@ -4,10 +4,11 @@ use super::noise::{random, rough, smooth};
 use super::surface::{Surface, Texel, mix, shade};
 
 /// A place in rows that cover each other: the row, the column, and the place in the visible part, 0..1 across and up from its lower edge.
+/// The borders of the image run through the middle of parts.
 fn courses([u, v]: [f64; 2], rows: i64, columns: i64, offset: f64) -> (i64, i64, [f64; 2]) {
-    let y = v * rows as f64;
-    let row = y.floor() as i64;
-    let x = u * columns as f64 + if row % 2 == 0 { 0.0 } else { offset };
+    let y = v * rows as f64 + 0.5;
+    let row = (y.floor() as i64).rem_euclid(rows);
+    let x = u * columns as f64 + 0.5 + if row % 2 == 0 { 0.0 } else { offset };
     (row, (x.floor() as i64).rem_euclid(columns), [x - x.floor(), y - y.floor()])
 }
 

@@ -13,6 +13,9 @@ pub struct Texel {
     pub rough: f64,
 }
 
+/// The texel at a place of a surface for the name of a colour.
+pub type TexelAt = dyn Fn([f64; 2], &str) -> Texel;
+
 /// A surface that repeats.
 pub struct Surface {
     /// The pixels along a side of its images.
@@ -20,7 +23,7 @@ pub struct Surface {
     /// Its width and height in millimetres.
     pub size: [f64; 2],
     /// The texel at a place in 0..1, v up, for the name of a colour.
-    pub texel: Box<dyn Fn([f64; 2], &str) -> Texel>,
+    pub texel: Box<TexelAt>,
 }
 
 impl Surface {
