@@ -141,7 +141,7 @@ fn mistakes_have_a_message_and_a_status() {
     folder.write("import.cga", "import part : \"part.cga\"  Lot --> part.Part(1)");
     folder.write("feet.geojson", "{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [900, 0], [900, 900], [0, 0]]]}");
     for (args, status, message) in [
-        ("run tower.cga --set heigth=3", 2, "there is no attribute `heigth`; did you mean `height`?"),
+        ("run tower.cga --set heigth=3", 2, "unknown attribute `heigth`; did you mean `height`?"),
         ("run tower.cga --set height=300", 2, "attribute `height`: 300 is outside of 6 to 60"),
         ("run tower.cga --start Lott", 2, "`Lott` is not a start rule"),
         ("run parts.cga", 1, "start rule"),

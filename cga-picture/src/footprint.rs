@@ -57,16 +57,55 @@ fn slopes(triangle: &Triangle, corners: &CornerUvs) -> Option<[DVec3; 2]> {
     (area != 0.0).then(|| [(e * q.y - f * p.y) / area, (f * p.x - e * q.x) / area])
 }
 
+/// The normal of a texel of a normal map.
+fn relief(triangle: &Triangle, corners: &CornerUvs, texel: Texel, normal: DVec3) -> DVec3 {
+    let Some([along_u, along_v]) = slopes(triangle, corners) else { return normal };
+    let slope = texel.truncate().as_dvec3() * 2.0 - 1.0;
+    // Neither 127 nor 128 is exactly 0.
+    let flat = |slope: f64| if slope.abs() < 1.5 / 255.0 { 0.0 } else { slope };
+    let tangent = |axis: DVec3| (axis - normal * axis.dot(normal)).normalize_or_zero();
+    // At the back the relief goes in.
+    let side = if triangle.normal().dot(normal) < 0.0 { -1.0 } else { 1.0 };
+    let aside = tangent(along_u) * flat(slope.x) + tangent(along_v) * flat(slope.y);
+    (aside * side + normal * slope.z.max(0.1)).normalize_or(normal)
+}
+
 impl Scene {
     /// The paint of a triangle at the point of a sample, with its images.
     pub(crate) fn paint_at(&self, triangle: &Triangle, view: &Viewport, sample: [f64; 2], point: DVec3) -> Paint {
-        let mut paint = self.paints[triangle.paint as usize];
-        let Some(corners) = self.uvs.get(triangle.uvs as usize) else { return paint };
+        match self.uvs.get(triangle.uvs as usize) {
+            Some(uvs) => self.painted(triangle, uvs, &Footprint::of(triangle, view, sample, point)),
+            None => self.paints[triangle.paint as usize],
+        }
+    }
+
+    /// The paint of a triangle at the point of a sample, and the normal there with its normal map. `normal` is the normal of the
+    /// visible side without it.
+    pub(crate) fn look_at(
+        &self,
+        triangle: &Triangle,
+        view: &Viewport,
+        sample: [f64; 2],
+        (point, normal): (DVec3, DVec3),
+    ) -> (Paint, DVec3) {
+        let Some(uvs) = self.uvs.get(triangle.uvs as usize) else {
+            return (self.paints[triangle.paint as usize], normal);
+        };
         let footprint = Footprint::of(triangle, view, sample, point);
-        if let (Some(image), Some(corners)) = (paint.color_image, &corners[0]) {
+        let paint = self.painted(triangle, uvs, &footprint);
+        let relief = paint.normal_image.zip(uvs[2].as_ref()).map(|(image, corners)| {
+            let texel = footprint.sample(self.texture(image), corners);
+            relief(triangle, corners, texel, normal)
+        });
+        (paint, relief.unwrap_or(normal))
+    }
+
+    fn painted(&self, triangle: &Triangle, uvs: &[Option<CornerUvs>; 3], footprint: &Footprint) -> Paint {
+        let mut paint = self.paints[triangle.paint as usize];
+        if let (Some(image), Some(corners)) = (paint.color_image, &uvs[0]) {
             paint.color *= footprint.sample(self.texture(image), corners).truncate();
         }
-        if let (Some((image, alpha)), Some(corners)) = (paint.opacity_image, &corners[1]) {
+        if let (Some((image, alpha)), Some(corners)) = (paint.opacity_image, &uvs[1]) {
             let opacity = paint.opacity * footprint.sample(self.texture(image), corners).w;
             paint.opacity = match alpha {
                 Alpha::Blend => opacity,
@@ -75,29 +114,6 @@ impl Scene {
             };
         }
         paint
-    }
-
-    /// The normal at the point of a sample, with the triangle's normal map. `normal` is the normal of the visible side without it.
-    pub(crate) fn relief_at(
-        &self,
-        triangle: &Triangle,
-        view: &Viewport,
-        sample: [f64; 2],
-        point: DVec3,
-        normal: DVec3,
-    ) -> DVec3 {
-        let Some([_, _, Some(corners)]) = self.uvs.get(triangle.uvs as usize) else { return normal };
-        let Some(image) = self.paints[triangle.paint as usize].normal_image else { return normal };
-        let Some([along_u, along_v]) = slopes(triangle, corners) else { return normal };
-        let texel = Footprint::of(triangle, view, sample, point).sample(self.texture(image), corners);
-        let slope = texel.truncate().as_dvec3() * 2.0 - 1.0;
-        // Neither 127 nor 128 is exactly 0.
-        let flat = |slope: f64| if slope.abs() < 1.5 / 255.0 { 0.0 } else { slope };
-        let tangent = |axis: DVec3| (axis - normal * axis.dot(normal)).normalize_or_zero();
-        // At the back the relief goes in.
-        let side = if triangle.normal().dot(normal) < 0.0 { -1.0 } else { 1.0 };
-        let aside = tangent(along_u) * flat(slope.x) + tangent(along_v) * flat(slope.y);
-        (aside * side + normal * slope.z.max(0.1)).normalize_or(normal)
     }
 
     /// The mean opacity of a triangle.

@@ -53,9 +53,8 @@ impl Shader<'_> {
             GROUND => self.ground(backdrop, point, light.sun[sample], light.sky[sample]),
             seen => {
                 let triangle = &self.scene.triangles[seen as usize];
-                let place = layer.place(sample);
-                let paint = self.scene.paint_at(triangle, self.view, place, point);
-                let normal = self.scene.relief_at(triangle, self.view, place, point, normal);
+                let surface = (point, normal);
+                let (paint, normal) = self.scene.look_at(triangle, self.view, layer.place(sample), surface);
                 self.lit(&paint, point, normal, light.sun[sample], light.sky[sample])
             }
         }
@@ -65,9 +64,7 @@ impl Shader<'_> {
     pub(crate) fn clear(&self, layer: &VisibilityBuffer, light: &Light, sample: usize, behind: Vec3) -> Vec3 {
         let Some((point, normal)) = surface(self.scene, layer, self.view, sample) else { return behind };
         let Some(triangle) = self.scene.triangles.get(layer.seen[sample] as usize) else { return behind };
-        let place = layer.place(sample);
-        let paint = self.scene.paint_at(triangle, self.view, place, point);
-        let normal = self.scene.relief_at(triangle, self.view, place, point, normal);
+        let (paint, normal) = self.scene.look_at(triangle, self.view, layer.place(sample), (point, normal));
         // Glass takes the shadows of the surface behind it: a good approximation, and hardly visible.
         let lit = self.lit(&paint, point, normal, light.sun[sample], light.sky[sample]);
         if paint.opacity_image.is_some() {

@@ -18,7 +18,7 @@ use crate::root::Root;
 const TEXT: &str = "rules.cga";
 
 /// The reason why a file that is not in memory cannot be read.
-const NOT_IN_MEMORY: &str = "there is no file of that name; add it with `with_file`";
+const NOT_IN_MEMORY: &str = "no file in memory has this name; add it with `with_file`";
 
 /// A file that was read.
 #[derive(Debug)]
@@ -84,7 +84,7 @@ impl RuleFiles {
     /// The number of a file in memory.
     ///
     /// # Errors
-    /// A sentence: there is no such file.
+    /// A sentence: no file has this name.
     pub fn memory_file(&mut self, name: &str) -> Result<usize, String> {
         self.remembered(&normal(name)).ok_or_else(|| unreadable(Path::new(name), NOT_IN_MEMORY))
     }
@@ -249,7 +249,7 @@ impl Files for RuleFiles {
         }
         Err(match &self.root {
             Some(root) => root.outside(),
-            None => "there is no such file beside this one or in a folder above".into(),
+            None => "the file is neither beside this one nor in a folder above".into(),
         })
     }
 

@@ -74,8 +74,8 @@ def test_values_reach_the_rules_and_come_back(types: pycga.RuleFile) -> None:
 @pytest.mark.parametrize(
     ("values", "message"),
     [
-        ({"hight": 3}, "there is no attribute `hight`; did you mean `height`?"),
-        ({"colour": 3}, "there is no attribute `colour`; the attributes are height, wall, lit, sizes, flags, names, width"),
+        ({"hight": 3}, "unknown attribute `hight`; did you mean `height`?"),
+        ({"colour": 3}, "unknown attribute `colour`; the attributes are height, wall, lit, sizes, flags, names, width"),
         ({"colour": None}, "colour"),
         ({"height": "tall"}, "attribute `height` is a number, and the value is text"),
         ({"height": True}, "attribute `height` is a number, and the value is true or false"),

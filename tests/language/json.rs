@@ -114,7 +114,7 @@ fn refused_values_change_nothing() {
     for (json, reason) in [
         (r#"{ "height": 20, "wall": "straw" }"#, "attribute `wall`: `straw` is not one of brick, stone"),
         (r#"{ "wall": "stone", "height": 99 }"#, "attribute `height`: 99 is outside of 3 to 60"),
-        (r#"{ "wall": "stone", "hieght": 9 }"#, "there is no attribute `hieght`; did you mean `height`?"),
+        (r#"{ "wall": "stone", "hieght": 9 }"#, "unknown attribute `hieght`; did you mean `height`?"),
         (r#"{ "storeys": 4, "height": "tall" }"#, "attribute `height` is a number, and `\"tall\"` is not"),
         (
             r#"{ "storeys": 4, "grid": [[1], [2, 3]] }"#,

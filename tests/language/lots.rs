@@ -86,7 +86,7 @@ fn errors_name_the_lot_and_all_that_is_wrong() {
     let own = lot().named("Mill Street 4");
     assert_eq!(
         error(&own.clone().attribute("hight", 3)),
-        "lot `Mill Street 4`: there is no attribute `hight`; did you mean `height`?"
+        "lot `Mill Street 4`: unknown attribute `hight`; did you mean `height`?"
     );
     assert_eq!(
         error(&own.clone().attribute("height", "tall").attribute("form", "dome").start("Lott")),
@@ -105,7 +105,7 @@ fn errors_name_the_lot_and_all_that_is_wrong() {
     let error = House::default().generate_all(&lots, &Settings::default()).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "initial shape 1: lot `Mill Street 4`: there is no attribute `hight`; did you mean `height`?"
+        "initial shape 1: lot `Mill Street 4`: unknown attribute `hight`; did you mean `height`?"
     );
     assert!(matches!(error.error, Error::Lot { .. }) && error.shape == Some(1));
 }
@@ -122,7 +122,7 @@ fn by_choice_wrong_lots_are_faults() {
     assert_eq!(
         faults,
         [
-            "lot `4`: there is no attribute `color`; the attributes are height, roof, material, floors, form, modern",
+            "lot `4`: unknown attribute `color`; the attributes are height, roof, material, floors, form, modern",
             "lot `4`: attribute `height`: 99 is outside of 1 to 50",
             "lot `4`: `Lott` is not a start rule; the start rules are Lot, Garden",
         ]
@@ -334,7 +334,7 @@ fn a_grammar_that_only_runs_knows_lots_too() {
     assert_eq!(leaves(&city.generate(&own.clone().start("Garden")).unwrap()), ["Garden"]);
     assert_eq!(
         city.generate(&own.clone().attribute("h", 1)).unwrap_err().to_string(),
-        "lot `5`: there is no attribute `h`; the attributes are height, roof, material, floors, form, modern"
+        "lot `5`: unknown attribute `h`; the attributes are height, roof, material, floors, form, modern"
     );
     let settings = Settings { wrong_lots: WrongLots::Fault, limits: Limits::default(), ..Settings::default() };
     assert_eq!(city.generate_with(&own.attribute("h", 1).start("Lott"), &settings).unwrap().faults().len(), 2);

@@ -197,7 +197,7 @@ fn what_a_person_types_is_set_or_refused_with_a_reason() {
         ("floorHeights", "[3, [4]]", "attribute `floorHeights` is an array of numbers, and `[3, [4]]` is not"),
         ("dormers", "2", "attribute `dormers`: `2` is not one of 1, 3, 9"),
         ("lit", "yes", "attribute `lit` is true or false, and `yes` is not"),
-        ("hieght", "3", "there is no attribute `hieght`; did you mean `height`?"),
+        ("hieght", "3", "unknown attribute `hieght`; did you mean `height`?"),
     ];
     let before = panel(grammar.as_ref());
     for (name, text, why) in refused {

@@ -58,7 +58,7 @@ fn rules_import_files_in_memory() {
     let error = loader.text("import walls : \"lib/wall.cga\"  Lot --> walls.Wall").expect_err("no such file");
     assert_eq!(
         error.to_string(),
-        "error[cannot_import]: cannot import `lib/wall.cga`: there is no file of that name; add it with `with_file`\n \
+        "error[cannot_import]: cannot import `lib/wall.cga`: no file in memory has this name; add it with `with_file`\n \
          --> rules.cga:1:16\n  |\n1 | import walls : \"lib/wall.cga\"  Lot --> walls.Wall\n  |                ^^^^^^^^^^^^^^\n  = \
          help: did you mean `lib/walls.cga`?"
     );

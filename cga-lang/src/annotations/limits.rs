@@ -222,7 +222,7 @@ fn attribute(cx: &mut Context, value: &Expr) -> Option<GlobalId> {
         None if cx.globals.is_lost(cx.at, &name.text) => None,
         None => {
             let near = nearest(&name.text, cx.globals.near(cx.at, Namespace::Attrs));
-            wrong(cx, value.span, format!("there is no attribute `{}`", name.text)).suggest(near);
+            wrong(cx, value.span, format!("unknown attribute `{}`", name.text)).suggest(near);
             None
         }
     }

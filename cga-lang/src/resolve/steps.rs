@@ -471,7 +471,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         let near =
             longer.or_else(|| globals.meant(self.at, text, Namespace::Attrs, others).map(|near| near.to_string()));
         let is_operation = ops::operations(text).next().is_some();
-        let message = format!("there is no attribute `{text}`");
+        let message = format!("unknown attribute `{text}`");
         let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
         if is_operation {
             diag.help(format!("`{text}` is an operation: write `{text}(…)`"));

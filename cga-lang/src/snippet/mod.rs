@@ -182,7 +182,7 @@ mod tests {
         let quote = Quote { name: "a.cga", lines: &lines, ranges: &lexed.ranges };
         let mut diags = Diags::new();
         for number in 0..5_000 {
-            diags.report(Code::UndefinedRule, Span::one(3 * number + 2), format!("there is no rule {number}"));
+            diags.report(Code::UndefinedRule, Span::one(3 * number + 2), format!("rule {number} is missing"));
         }
         let shown: Vec<String> = diags.finish().iter().map(|diag| render(quote, diag)).collect();
         assert!(shown[4_999].contains(" --> a.cga:1:64996\n") && shown[4_999].contains("\n1 | …"), "{}", shown[4_999]);

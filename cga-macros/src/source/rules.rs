@@ -34,7 +34,7 @@ enum TokenPlaces {
 }
 
 impl Source {
-    /// Rules inline in Rust. `end` is the place of diagnostics if there are no tokens.
+    /// Rules inline in Rust. `end` is the place of diagnostics for rules without tokens.
     pub(crate) fn inline(rules: InlineTokens, end: Span) -> Self {
         let InlineTokens { tokens, found, spans, paths, hosts } = rules;
         Source::new(tokens, found, hosts, TokenPlaces::Inline { spans, paths, end })

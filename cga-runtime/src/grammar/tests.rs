@@ -159,8 +159,8 @@ fn what_is_refused_is_taught() {
     assert_eq!(
         said,
         [
-            "there is no attribute `hight`; did you mean `height`?",
-            "there is no attribute `colour`; the attributes are height, lit, style, storeys, name, odd, storeys_each, uses, use",
+            "unknown attribute `hight`; did you mean `height`?",
+            "unknown attribute `colour`; the attributes are height, lit, style, storeys, name, odd, storeys_each, uses, use",
             "attribute `height` is a number, and the value is true or false",
             "attribute `height` is a number, and `12 m` is not",
             "attribute `lit` is true or false, and `yes` is not",
@@ -169,7 +169,7 @@ fn what_is_refused_is_taught() {
             "attribute `style`: `plian` is not one of plain, ornate",
             "attribute `storeys`: `4` is not one of 12",
             "attribute `odd`: -2 is outside of 0 to 1",
-            r"there is no attribute `height\n`; did you mean `height`?",
+            r"unknown attribute `height\n`; did you mean `height`?",
             r"attribute `lit` is true or false, and `yes\u{1b}[2J` is not",
             r"attribute `style`: `a\nb` is not one of plain, ornate",
             "attribute `odd` is a number, and `1e999` is not",

@@ -86,7 +86,7 @@ impl fmt::Display for AttributeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             AttributeError::Unknown { name, near, known } => {
-                write!(f, "there is no attribute `{}`", shown(name))?;
+                write!(f, "unknown attribute `{}`", shown(name))?;
                 match near {
                     Some(near) => write!(f, "; did you mean `{near}`?"),
                     None if known.is_empty() => Ok(()),
