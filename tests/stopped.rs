@@ -16,7 +16,10 @@ pub fn rules() -> Vec<Text> {
 /// `CGA_BLESS=1 cargo bench -p cga-tests --bench stopping` writes the file.
 pub fn bounds() -> Vec<(&'static str, u64)> {
     let lines = include_str!("rules/one_operation_units.txt").lines();
-    lines.map(|line| line.split_once(' ').expect("two words")).map(|(rule, units)| (rule, units.parse().expect("a number"))).collect()
+    lines
+        .map(|line| line.split_once(' ').expect("two words"))
+        .map(|(rule, units)| (rule, units.parse().expect("a number")))
+        .collect()
 }
 
 /// The largest bound of a rule: some milliseconds of work.

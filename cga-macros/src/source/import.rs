@@ -143,7 +143,8 @@ mod tests {
         write("assets/tree.obj", "g Bark\nf 1 2 3\n");
         write("assets/wood/oak.png", "");
         write("table.csv", "1;2");
-        let mut files = Imports { root: root.clone(), opened: Vec::new(), units: HashMap::new(), listed: HashMap::new() };
+        let mut files =
+            Imports { root: root.clone(), opened: Vec::new(), units: HashMap::new(), listed: HashMap::new() };
         let groups = vec!["Bark".to_owned()];
         let tree = Asset::Mesh { has_faces: true, groups, materials: Vec::new() };
         assert_eq!(files.asset("assets/tree.obj"), Some(tree));
