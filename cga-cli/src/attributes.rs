@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use cga::{Attribute, Grammar, RuleFile, Text, Value};
 
-use crate::Status;
 use crate::options::AttributeOptions;
 use crate::run::load;
+use crate::status::Status;
 use crate::stream::{print, say, visible};
 
 pub(crate) fn command(options: &AttributeOptions) -> Status {

@@ -7,9 +7,9 @@ use cga::{Assets, Grammar, Mesh, Shape};
 
 use crate::footprints::{self, Notes};
 use crate::options::LotOptions;
-use crate::run::Problem;
+use crate::path::folder;
+use crate::problem::Problem;
 use crate::stream::say;
-use crate::watch::folder;
 
 /// The width and the depth of a lot that is not given, in metres.
 const USUAL: (f64, f64) = (20.0, 15.0);

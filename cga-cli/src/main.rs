@@ -16,7 +16,10 @@ mod footprints;
 mod lots;
 mod options;
 mod outputs;
+mod path;
+mod problem;
 mod run;
+mod status;
 mod stream;
 mod watch;
 
@@ -24,24 +27,8 @@ use std::process::ExitCode;
 
 use clap::Parser as _;
 use options::{Command, Options};
+use status::Status;
 use stream::Stream;
-
-/// The exit status of a command: 0, 1 or 2.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Status {
-    /// All went well.
-    Success,
-    /// The rules have errors, a run ended early, or a part of a file was left out.
-    Failed,
-    /// A file cannot be read or written, or the arguments are wrong.
-    Unusable,
-}
-
-impl From<Status> for ExitCode {
-    fn from(status: Status) -> Self {
-        ExitCode::from(status as u8)
-    }
-}
 
 fn main() -> ExitCode {
     let status = match Options::parse().command {

@@ -8,8 +8,8 @@ use cga::sink::write_file;
 use cga::{Batches, Model, Report, WriteError};
 
 use crate::options::RunOptions;
+use crate::path::{folder, in_real_folder};
 use crate::stream::print;
-use crate::watch::folder;
 
 /// The kind of a file, by the ending of its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,10 +85,7 @@ fn written(options: &RunOptions) -> Vec<PathBuf> {
 
 /// The path of a file without links. A file that does not exist has a folder that may.
 fn real(path: &Path) -> PathBuf {
-    path.canonicalize().unwrap_or_else(|_| {
-        let folder = folder(path);
-        folder.canonicalize().unwrap_or_else(|_| folder.to_owned()).join(path.file_name().unwrap_or_default())
-    })
+    path.canonicalize().ok().or_else(|| in_real_folder(path)).unwrap_or_else(|| path.to_owned())
 }
 
 /// The result of a run: the model of a lot, or the models of all lots of a file.

@@ -6,28 +6,12 @@ use std::time::{Duration, Instant};
 
 use cga::{Assets, Error, FileList, Grammar as _, RuleFile, RuleFileError, RuleLoader, Scene, Settings, Shape, Watch};
 
-use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
 use crate::outputs::{Output, check_inputs, check_outputs, write_reports};
+use crate::problem::Problem;
+use crate::status::Status;
 use crate::stream::{print_lines, say};
-
-/// The reason why a command ends.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Problem {
-    pub(crate) status: Status,
-    pub(crate) message: String,
-}
-
-impl Problem {
-    pub(crate) fn failed(message: impl ToString) -> Self {
-        Problem { status: Status::Failed, message: message.to_string() }
-    }
-
-    pub(crate) fn unusable(message: impl ToString) -> Self {
-        Problem { status: Status::Unusable, message: message.to_string() }
-    }
-}
 
 /// Runs the rules once.
 pub(crate) fn command(options: &RunOptions) -> Status {

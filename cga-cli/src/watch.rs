@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 
 use cga_eval::FileWatcher;
 
-use crate::Status;
 use crate::options::RunOptions;
 use crate::outputs::check_outputs;
-use crate::run::{self, Problem};
+use crate::path::{folder, in_real_folder};
+use crate::problem::Problem;
+use crate::run;
+use crate::status::Status;
 use crate::stream::say;
 
 /// Runs the rules, and again after each change, until the process ends. Errors are shown, and the files of the last good run stay.
@@ -29,7 +31,7 @@ fn watch(options: &RunOptions) -> Result<Infallible, String> {
     watcher.follow_files([options.rules.file.as_path()])?;
     follow_lots(options, &mut watcher)?;
     if let Some(folder) = &options.assets {
-        let outputs: Vec<PathBuf> = options.output.iter().filter_map(|path| real(path)).collect();
+        let outputs: Vec<PathBuf> = options.output.iter().filter_map(|path| in_real_folder(path)).collect();
         watcher.follow_folder(folder, move |path| is_hidden(path) || is_written(&outputs, path))?;
     }
     loop {
@@ -61,16 +63,6 @@ fn is_hidden(path: &Path) -> bool {
 /// Returns true for an output, or for the materials of one.
 fn is_written(outputs: &[PathBuf], path: &Path) -> bool {
     outputs.iter().any(|output| path.with_extension("") == output.with_extension(""))
-}
-
-/// The path of a file without links in its folder. A file that is written for the first time does not exist yet.
-fn real(path: &Path) -> Option<PathBuf> {
-    Some(folder(path).canonicalize().ok()?.join(path.file_name()?))
-}
-
-/// The folder of a file.
-pub(crate) fn folder(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 #[cfg(test)]

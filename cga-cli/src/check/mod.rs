@@ -12,8 +12,8 @@ use std::io::{BufWriter, Result, Write};
 use std::time::Instant;
 
 use self::printer::Printer;
-use crate::Status;
 use crate::options::CheckOptions;
+use crate::status::Status;
 use crate::stream::say;
 use cga_source::RuleFiles;
 

@@ -5,8 +5,8 @@ use serde_json::Value;
 
 use super::format::Format;
 use super::*;
-use crate::Status;
 use crate::options::CheckOptions;
+use crate::status::Status;
 
 /// The output for a folder with these files, and true if the check succeeds. The names of files begin with `FOLDER`.
 fn run(name: &str, files: &[(&str, &str)], change: impl Fn(&mut CheckOptions)) -> (String, bool) {

@@ -9,7 +9,6 @@ use glam::{DAffine3, DVec2, DVec3, Vec2};
 use super::flatten::{Flattener, has_one_material};
 use super::leaf_numbers::Numbers;
 use super::model::Model;
-use super::near_origin::near_origin;
 use super::normals;
 use super::packed::PackedFaces;
 use super::placed_assets::AssetList;
@@ -142,7 +141,7 @@ impl Model {
     /// ```
     pub fn meshes(&self, granularity: Granularity) -> Meshes {
         let buildings = self.buildings().map(|(_, leaves)| leaves).collect();
-        let mut sink = MeshSink { granularity, origin: near_origin(self.bounds()), buildings, ..MeshSink::default() };
+        let mut sink = MeshSink { granularity, origin: self.near_origin(), buildings, ..MeshSink::default() };
         // It never stops the run.
         let _ = self.replay(&mut sink);
         sink.finish()

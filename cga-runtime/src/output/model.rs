@@ -11,7 +11,7 @@ mod replayed;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
-use glam::DAffine3;
+use glam::{DAffine3, DVec3};
 
 use crate::asset::Assets;
 use crate::fault::Fault;
@@ -19,6 +19,7 @@ use crate::geometry::Axis;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::material::Material;
 use crate::output::leaf_numbers::Numbers;
+use crate::output::near_origin::{near_origin_within, reach};
 use crate::output::stats::Stats;
 use crate::output::texture::leaf_uvs::LeafUvs;
 use crate::output::watertight::Watertight;
@@ -73,6 +74,17 @@ enum Other {
     Cuboid(Cuboid),
     Mesh(Arc<Mesh>, DAffine3),
     Instance(Arc<Mesh>, DAffine3),
+}
+
+impl Other {
+    fn geometry(&self) -> Geometry<'_> {
+        match self {
+            Other::Quad(quad) => Geometry::Quad(*quad),
+            Other::Cuboid(cuboid) => Geometry::Cuboid(*cuboid),
+            Other::Mesh(mesh, placement) => Geometry::Mesh { mesh, placement },
+            Other::Instance(mesh, placement) => Geometry::Instance { mesh, placement },
+        }
+    }
 }
 
 impl Stored {
@@ -263,6 +275,21 @@ impl Model {
     /// The axis-aligned bounding box of all geometry, in the world.
     pub fn bounds(&self) -> Bounds {
         self.leaves().fold(Bounds::EMPTY, |sum, leaf| sum.union(leaf.bounds()))
+    }
+
+    /// The origin of coordinates in 32 bits.
+    pub(super) fn near_origin(&self) -> DVec3 {
+        near_origin_within(self.reach(), || self.bounds())
+    }
+
+    /// A number of metres that no coordinate exceeds; infinite if a coordinate is not a number. It takes less time than the bounds, as the
+    /// leaves of a part are looked at once.
+    pub(super) fn reach(&self) -> f64 {
+        let others = self.others.iter().map(|other| {
+            let Bounds { low, high } = other.geometry().bounds();
+            reach(low.abs() + high.abs())
+        });
+        self.store.reach().max(others.fold(0.0, f64::max))
     }
 
     /// The sum of the leaves' surfaces, in square metres.

@@ -145,6 +145,31 @@ fn a_model_far_away_keeps_its_millimetres() {
     assert!(meshes.list.iter().flat_map(|mesh| &mesh.places).all(|place| place.translation.length() < 100.0));
 }
 
+/// Up to 8,192 m from the origin of the world, 32 bits are fine enough.
+#[test]
+fn coordinates_begin_at_the_origin_of_the_world_unless_one_of_them_is_large() {
+    let white = color(1.0, 1.0, 1.0);
+    for [x, y, z] in
+        [[8191.0, 0.0, 0.0], [8000.0, 0.0, -8000.0], [-8192.5, 0.0, 3.0], [0.0, 8191.5, 0.0], [5.0, 2.0, 8190.9]]
+    {
+        let at = dvec3(x, y, z);
+        let placed = DAffine3::from_mat3_translation(DMat3::from_rotation_y(0.3), at);
+        for kind in 0..3 {
+            let mut fill = Fill(Model::new());
+            match kind {
+                0 => fill.cuboid("Box", &white, upright(at, dvec3(1.0, 1.0, 1.0))),
+                1 => fill.instance("Bench", &white, &plate(), placed),
+                _ => fill.mesh("Bench", &white, &plate(), placed),
+            }
+            let bounds = fill.0.bounds();
+            let is_near = bounds.low.abs().max(bounds.high.abs()).max_element() <= 8192.0;
+            let origin = fill.0.meshes(Granularity::Material).origin;
+            assert_eq!(origin == DVec3::ZERO, is_near, "{at}, {kind}: {origin}");
+            assert!(is_near || origin.distance(at) < 10.0, "{at}, {kind}: {origin}");
+        }
+    }
+}
+
 #[test]
 fn appended_models_keep_leaves_in_order() {
     let (mut sum, one, two) = (Model::new(), mixed(), steady());

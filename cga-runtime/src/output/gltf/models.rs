@@ -4,13 +4,14 @@ use std::io;
 use std::path::Path;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::Glb;
 use crate::asset::Assets;
-use crate::geometry::mesh::Bounds;
 use crate::output::batches::Batches;
 use crate::output::error::WriteError;
 use crate::output::model::Model;
-use crate::output::near_origin::near_origin;
+use crate::output::near_origin::near_origin_within;
 use crate::run::sink::Flow;
 
 impl Model {
@@ -40,7 +41,7 @@ impl Model {
     }
 
     fn glb(&self) -> Glb {
-        from_models(self.bounds(), self.assets(), |glb| self.replay(glb))
+        from_models(self.near_origin(), self.assets(), |glb| self.replay(glb))
     }
 }
 
@@ -71,12 +72,13 @@ impl Batches<Model> {
 
     fn glb(&self) -> Glb {
         let assets = self.sinks().next().and_then(Model::assets);
-        from_models(self.bounds(), assets, |glb| self.replay(glb))
+        let reach = self.sinks().map(Model::reach).fold(0.0, f64::max);
+        from_models(near_origin_within(reach, || self.bounds()), assets, |glb| self.replay(glb))
     }
 }
 
-fn from_models(bounds: Bounds, assets: Option<&Arc<Assets>>, replay: impl FnOnce(&mut Glb) -> Flow) -> Glb {
-    let mut glb = Glb { files: assets.cloned(), ..Glb::new().with_origin(near_origin(bounds)) };
+fn from_models(origin: DVec3, assets: Option<&Arc<Assets>>, replay: impl FnOnce(&mut Glb) -> Flow) -> Glb {
+    let mut glb = Glb { files: assets.cloned(), ..Glb::new().with_origin(origin) };
     // It stops when it is full; `into_bytes` reports that.
     let _ = replay(&mut glb);
     glb

@@ -8,6 +8,7 @@ use glam::DVec3;
 use super::Stored;
 use crate::fixed_hash::FixedState;
 use crate::output::leaf_numbers::Numbers;
+use crate::output::near_origin::reach;
 use crate::run::sink::Replay;
 use crate::shape::axes::Axes;
 use crate::shape::scope::Scope;
@@ -49,6 +50,14 @@ impl LeafStore {
     #[inline]
     pub(super) fn len(&self) -> usize {
         self.len
+    }
+
+    /// A number of metres that no coordinate of a scope exceeds; infinite if a coordinate is not a number.
+    pub(super) fn reach(&self) -> f64 {
+        let most = |leaves: &[ModelLeaf]| leaves.iter().map(|leaf| scope_reach(&leaf.scope)).fold(0.0, f64::max);
+        let parts: Vec<f64> = self.parts.iter().map(|part| most(part)).collect();
+        let place = |place: &PartPlace| reach(place.origin) + parts[place.part as usize];
+        self.places.iter().map(place).fold(most(&self.own), f64::max)
     }
 
     /// Adds a leaf.
@@ -108,6 +117,11 @@ impl LeafStore {
             None => self.own[place.own + at - part.len()],
         }
     }
+}
+
+/// A number that no coordinate of a scope exceeds, also after rounding.
+fn scope_reach(scope: &Scope) -> f64 {
+    (1.0 + 1e-12) * reach(scope.origin.abs() + scope.axes.abs() * scope.size.abs())
 }
 
 /// The leaves of a part at an origin.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::{DAffine3, DVec3};
 
 use super::leaf_store::{LeafCursor, ModelLeaf};
-use super::{Model, Other, Stored};
+use super::{Model, Stored};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::uv_map::SetMap;
 use crate::material::Material;
@@ -101,12 +101,7 @@ impl<'a> LeafView<'a> {
             Stored::Placement => return Geometry::Placement,
             Stored::Other(index) => index,
         };
-        match &self.model.others[index as usize] {
-            Other::Quad(quad) => Geometry::Quad(*quad),
-            Other::Cuboid(cuboid) => Geometry::Cuboid(*cuboid),
-            Other::Mesh(mesh, placement) => Geometry::Mesh { mesh, placement },
-            Other::Instance(mesh, placement) => Geometry::Instance { mesh, placement },
-        }
+        self.model.others[index as usize].geometry()
     }
 
     /// The maps of the texture coordinate sets of a rectangle or a box, sorted by set. A mesh contains its sets.
@@ -151,16 +146,7 @@ impl<'a> LeafView<'a> {
 
     /// The axis-aligned bounding box of the faces, in the world; the empty box without faces.
     pub fn bounds(&self) -> Bounds {
-        match self.geometry() {
-            Geometry::Placement => Bounds::EMPTY,
-            Geometry::Quad(Quad { origin, u, v, .. }) => spanned(origin, [u, v, DVec3::ZERO]),
-            Geometry::Cuboid(Cuboid { origin, sides, .. }) => {
-                spanned(origin, [sides.x_axis, sides.y_axis, sides.z_axis])
-            }
-            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
-                Bounds::of(mesh.points().iter().map(|&point| placement.transform_point3(point)))
-            }
-        }
+        self.geometry().bounds()
     }
 
     /// Passes the leaf to a sink.
@@ -172,6 +158,22 @@ impl<'a> LeafView<'a> {
             Geometry::Cuboid(cuboid) => sink.cuboid(&leaf, &cuboid),
             Geometry::Mesh { mesh, placement } => sink.mesh(&leaf, mesh, placement),
             Geometry::Instance { mesh, placement } => sink.instance(&leaf, mesh, placement),
+        }
+    }
+}
+
+impl Geometry<'_> {
+    /// The axis-aligned bounding box; the empty box without faces.
+    pub(super) fn bounds(&self) -> Bounds {
+        match *self {
+            Geometry::Placement => Bounds::EMPTY,
+            Geometry::Quad(Quad { origin, u, v, .. }) => spanned(origin, [u, v, DVec3::ZERO]),
+            Geometry::Cuboid(Cuboid { origin, sides, .. }) => {
+                spanned(origin, [sides.x_axis, sides.y_axis, sides.z_axis])
+            }
+            Geometry::Mesh { mesh, placement } | Geometry::Instance { mesh, placement } => {
+                Bounds::of(mesh.points().iter().map(|&point| placement.transform_point3(point)))
+            }
         }
     }
 }

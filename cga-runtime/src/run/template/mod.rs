@@ -21,6 +21,7 @@ mod record;
 mod repeat;
 mod replay;
 mod slot;
+mod tape;
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -46,9 +47,9 @@ use mesh_leaf::MeshLeaf;
 pub use part_id::PartId;
 use read::KeptRead;
 pub use read::Read;
-pub(crate) use record::Tape;
 pub use replay::Replay;
 pub use slot::RepeatedSlot;
+pub(crate) use tape::Tape;
 
 /// The number of leaves, holes and corners of meshes that a session keeps in templates, each turn of a template counted: about 30 MB. Beyond
 /// it the templates are made again.

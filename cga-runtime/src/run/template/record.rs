@@ -9,7 +9,8 @@ use glam::{DAffine3, DMat3};
 
 use super::key::TemplateKey;
 use super::mesh_leaf::{LeafGeometry, MeshLeaf};
-use super::slot::{PartFn, RepeatedSlot};
+use super::slot::RepeatedSlot;
+use super::tape::Tape;
 use super::{
     Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateBreak, TemplateCounts,
     TemplateEntry, TemplateLeaf, Templates, Turned,
@@ -29,16 +30,8 @@ use crate::shape::seed::Seed;
 /// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
 
-/// The recording of a template under construction.
-pub(crate) struct Tape<'r, C> {
-    /// The base of the shape at the origin.
-    base: &'r Base,
-    /// The number of leaves of the run that fill their scopes, of others, and of rules on its trail, before the template.
-    filled: u64,
-    leaves: u64,
-    trail: usize,
-    holes: Vec<Hole<C>>,
-}
+/// The call of a rule on a part that repeats.
+pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
 /// The reason why a recording fails.
 enum Lost {

@@ -8,8 +8,9 @@ use glam::DVec3;
 
 use super::key::TemplateKey;
 use super::read;
+use super::record::PartFn;
 use super::replay::Replay;
-use super::slot::{PartFn, RepeatedSlot};
+use super::slot::RepeatedSlot;
 use super::{Hole, INHERITED, Template, TemplateBreak, TemplateCounts, Turned};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Bounds;

@@ -1,12 +1,6 @@
 //! A slot of the rules that repeats.
 
 use super::read::Read;
-use crate::run::context::Cx;
-use crate::run::sink::Flow;
-use crate::shape::ShapeRef;
-
-/// The call of a rule on a part that repeats.
-pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
 
 /// A slot of the rules that repeats.
 #[derive(Clone, Copy, Debug)]
