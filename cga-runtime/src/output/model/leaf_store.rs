@@ -1,6 +1,7 @@
 //! The leaves of a model in memory: parts that repeat are kept once, with their places.
 
 use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -32,6 +33,24 @@ pub(super) struct ModelLeaf {
     pub(super) rule: u32,
     pub(super) material: u32,
     pub(super) stored: Stored,
+}
+
+impl ModelLeaf {
+    /// The leaf of a part at a place.
+    #[inline]
+    pub(super) fn at(&self, place: DVec3) -> Self {
+        ModelLeaf { scope: Scope { origin: place + self.scope.origin, ..self.scope }, ..*self }
+    }
+}
+
+/// Consecutive leaves that are next to each other in memory.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LeafRun<'a> {
+    /// The number of the first one.
+    pub(super) first: usize,
+    pub(super) leaves: &'a [ModelLeaf],
+    /// The place of the part that they belong to.
+    pub(super) place: Option<DVec3>,
 }
 
 /// A place of a part that repeats.
@@ -100,6 +119,27 @@ impl LeafStore {
         self.places.partition_point(|place| place.first <= leaf)
     }
 
+    /// The leaves with numbers in a range.
+    pub(super) fn runs(&self, range: Range<usize>) -> impl Iterator<Item = LeafRun<'_>> {
+        // Each place begins a part; leaves of their own follow it.
+        let of_place = move |places: usize| {
+            let place = places.checked_sub(1).map(|last| &self.places[last]);
+            let part = place.map_or(&[][..], |place| &self.parts[place.part as usize][..]);
+            let (first, own) = place.map_or((0, 0), |place| (place.first, place.own));
+            let own = &self.own[own..self.places.get(places).map_or(self.own.len(), |next| next.own)];
+            let follows = LeafRun { first: first + part.len(), leaves: own, place: None };
+            [LeafRun { first, leaves: part, place: place.map(|place| place.origin) }, follows]
+        };
+        let places = self.places_up_to(range.start)..=self.places.len();
+        let within = move |run: &LeafRun<'_>| run.first < range.end;
+        let start = range.start;
+        let (all, end) = (places.flat_map(of_place).take_while(within), range.end);
+        all.map(move |run| {
+            let cut = |number: usize| number.saturating_sub(run.first).min(run.leaves.len());
+            LeafRun { first: run.first.max(start), leaves: &run.leaves[cut(start)..cut(end)], ..run }
+        })
+    }
+
     /// The leaf with a number. `places` is the result for an earlier leaf, and becomes the result for this one.
     #[inline]
     fn at(&self, leaf: usize, places: &mut usize) -> ModelLeaf {
@@ -111,9 +151,7 @@ impl LeafStore {
         let Some(place) = places.checked_sub(1).map(|last| &self.places[last]) else { return self.own[leaf] };
         let (part, at) = (&self.parts[place.part as usize], leaf - place.first);
         match part.get(at) {
-            Some(leaf) => {
-                ModelLeaf { scope: Scope { origin: place.origin + leaf.scope.origin, ..leaf.scope }, ..*leaf }
-            }
+            Some(leaf) => leaf.at(place.origin),
             None => self.own[place.own + at - part.len()],
         }
     }
@@ -160,5 +198,56 @@ impl<'a> LeafCursor<'a> {
             self.places = self.store.places_up_to(leaf);
         }
         self.store.at(leaf, &mut self.places)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A leaf whose rule is `number`, at the place of that number.
+    fn leaf(number: u32) -> ModelLeaf {
+        let scope = Scope { origin: DVec3::X * f64::from(number), ..Scope::new(DVec3::ONE) };
+        ModelLeaf { scope, rule: number, material: 0, stored: Stored::Placement }
+    }
+
+    /// Leaves of their own before, between and after places of two parts, one of which follows another at once.
+    fn store() -> LeafStore {
+        let place = |first, own, part| PartPlace { first, own, part, origin: DVec3::Y * first as f64 };
+        LeafStore {
+            own: (0..6).map(leaf).collect(),
+            parts: [10..13, 20..21].map(|numbers| numbers.map(leaf).collect()).into(),
+            places: vec![place(2, 2, 0), place(5, 2, 1), place(6, 2, 0), place(12, 5, 1)],
+            len: 14,
+            ..LeafStore::default()
+        }
+    }
+
+    #[test]
+    fn runs_of_every_range_have_its_leaves_in_order() {
+        let store = store();
+        for range in (0..=store.len()).flat_map(|end| (0..=end).map(move |start| start..end)) {
+            let mut cursor = LeafCursor::new(&store);
+            let expected: Vec<_> = range.clone().map(|number| (number, cursor.at(number))).collect();
+            let found = store.runs(range.clone()).flat_map(|run| {
+                let leaf = move |leaf: &ModelLeaf| run.place.map_or(*leaf, |place| leaf.at(place));
+                (run.first..).zip(run.leaves.iter().map(leaf))
+            });
+            let seen = |list: Vec<(usize, ModelLeaf)>| {
+                list.into_iter().map(|(number, leaf)| (number, leaf.rule, leaf.scope.origin)).collect::<Vec<_>>()
+            };
+            assert_eq!(seen(found.collect()), seen(expected), "{range:?}");
+        }
+    }
+
+    #[test]
+    fn no_coordinate_exceeds_the_reach() {
+        let mut store = store();
+        let mut cursor = LeafCursor::new(&store);
+        let corners = (0..store.len()).flat_map(|number| cursor.at(number).scope.corners());
+        let most = corners.map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+        assert!(most <= store.reach() && store.reach() < 4.0 * most, "{most}, {}", store.reach());
+        store.parts[1] = [ModelLeaf { scope: Scope::new(DVec3::NAN), ..leaf(0) }].into();
+        assert_eq!(store.reach(), f64::INFINITY);
     }
 }

@@ -46,11 +46,15 @@ pub enum Geometry<'a> {
 #[derive(Clone, Copy, Debug)]
 pub struct LeafView<'a> {
     model: &'a Model,
-    pub(super) record: ModelLeaf,
+    record: ModelLeaf,
     number: usize,
 }
 
 impl<'a> LeafView<'a> {
+    pub(super) fn of(model: &'a Model, number: usize, record: ModelLeaf) -> Self {
+        LeafView { model, record, number }
+    }
+
     /// The name of the rule or leaf symbol, without the dot.
     pub fn rule(&self) -> &'a str {
         self.name()
@@ -211,7 +215,7 @@ impl<'a> Leaves<'a> {
     }
 
     fn view(&mut self, number: usize) -> LeafView<'a> {
-        LeafView { model: self.model, record: self.cursor.at(number), number }
+        LeafView::of(self.model, number, self.cursor.at(number))
     }
 }
 
