@@ -23,7 +23,7 @@ pub fn bounds() -> Vec<(&'static str, u64)> {
 }
 
 /// The largest bound of a rule: some milliseconds of work.
-pub const MOST_UNITS: u64 = 1 << 20;
+pub const MOST_UNITS: u64 = 1 << 21;
 
 /// The number of corners of a shape.
 const CORNERS: usize = 5_000;

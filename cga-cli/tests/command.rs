@@ -207,8 +207,8 @@ fn a_terminal_gets_no_escapes_from_rules() {
     let rules = format!("attr name = \"{escape}\"\nLot --> set(material.name, name) i(name) Wall /* {escape} */\n");
     folder.write("escape.cga", &rules);
     folder.write("wrong.cga", &format!("Lot --> X. + /* {escape} */ \"{escape}\"\n"));
-    let commands = ["check escape.cga", "check wrong.cga", "check wrong.cga --format short", "attributes escape.cga"];
-    for args in commands.into_iter().chain(["run escape.cga", "run wrong.cga", "run escape.cga --lot \u{1b}x"]) {
+    let commands = ["check escape.cga", "check wrong.cga", "attributes escape.cga"];
+    for args in commands.into_iter().chain(["run escape.cga", "run wrong.cga"]) {
         let Output { stdout, stderr, .. } = folder.run(args);
         let all = text(&stdout) + &text(&stderr);
         assert!(!all.contains(['\u{1b}', '\u{202e}', '\r']) && all.contains("\\u{1b}"), "{args}: {all:?}");
@@ -227,7 +227,7 @@ fn reports_take_the_place_of_the_file_before_when_they_are_whole() {
     let mut text = String::new();
     before.read_to_string(&mut text).expect("the file before");
     assert_eq!(text, "before");
-    assert!(folder.read("x.json").starts_with(b"{"));
+    assert!(folder.read("x.json").starts_with(b"["));
 }
 
 /// A feature with a square at some degrees to the east.

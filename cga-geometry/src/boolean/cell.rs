@@ -131,11 +131,14 @@ struct Cycle {
 impl LineGraph {
     fn new(lines: &[[u32; 2]], at: &dyn Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
         let mut points = lines.as_flattened().to_vec();
+        goes_on(lines.len())?;
         points.small_sort();
         points.dedup();
+        goes_on(lines.len())?;
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
         let starts: Vec<u32> = lines.as_flattened().iter().map(|point| number(*point)).collect();
+        goes_on(lines.len())?;
         let mut leaving = vec![Vec::new(); points.len()];
         starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
         let mut places = vec![0; starts.len()];
@@ -318,6 +321,7 @@ impl LineGraph {
         for line in self.starts.chunks_exact(2) {
             sets.unite(line[0], line[1]);
         }
+        goes_on(self.points.len())?;
         let mut parts: Vec<GraphPart> = Vec::new();
         for set in sets.sets() {
             goes_on(set.len())?;

@@ -52,7 +52,7 @@ pub use operation::{BooleanError, BooleanOp};
 use plane_group::PlaneGroups;
 use point_set::PointSet;
 use polygon::PolygonMaker;
-use progress::goes_on;
+use progress::{ask, goes_on};
 use ray::RayCaster;
 use sheet::{SheetSource, Sheets};
 use shell::{Shell, ShellKind, close_shells, shells};
@@ -237,7 +237,7 @@ impl Input<'_> {
         let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
         let mut polygons = maker.polygons(&chosen, budget)?;
         straight::drop_straight(&points, &mut polygons)?;
-        goes_on(points.at.len())?;
+        ask()?;
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();
         for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {
@@ -254,12 +254,12 @@ impl Input<'_> {
             op,
         };
         let made = assembly.mesh_of(&polygons)?;
-        goes_on(made.corners().len())?;
+        ask()?;
         let must_close = !kinds.contains(&ShellKind::Open) && !is_flat;
         if must_close && !made.is_empty() && !made.is_closed() {
             return Err(BooleanError::Tangled);
         }
-        goes_on(made.corners().len())?;
+        ask()?;
         let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
         let volume = || made.map(&DAffine3::from_scale(DVec3::splat(self.scale))).volume();
         if must_close && is_union && volume() < self.least_union(&shells, &mesh_of) {

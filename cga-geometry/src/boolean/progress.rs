@@ -10,3 +10,8 @@ const STEP: usize = 8;
 pub(super) fn goes_on(steps: usize) -> Result<(), BooleanError> {
     if work::spend(STEP * steps) { Ok(()) } else { Err(BooleanError::TooMany) }
 }
+
+/// Asks whether the work goes on: before and after long steps that count no work themselves.
+pub(super) fn ask() -> Result<(), BooleanError> {
+    if work::ask() { Ok(()) } else { Err(BooleanError::TooMany) }
+}

@@ -13,7 +13,7 @@ use super::cell::{Cell, Winding};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
-use super::progress::goes_on;
+use super::progress::{ask, goes_on};
 
 /// The sine of the smallest angle between sheets at an edge that can be told from none.
 const LEAST_ANGLE: f64 = 1e-13;
@@ -163,7 +163,9 @@ impl Sheets {
             inner.dedup();
             all.extend(inner.into_iter().flat_map(both));
         }
+        ask()?;
         all.sort_by_key(|(edge, _)| *edge);
+        ask()?;
         let mut sheets = Sheets { list, fans: Vec::new(), uses: Vec::with_capacity(all.len()) };
         for group in all.chunk_by(|a, b| a.0 == b.0) {
             goes_on(group.len())?;

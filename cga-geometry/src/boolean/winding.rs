@@ -43,9 +43,16 @@ impl Windings {
                 continue;
             }
             let connected = connected_sheets(first, &at_space, &space);
-            goes_on(connected.iter().map(|&sheet| sheets.list[sheet as usize].rings[0].len()).sum())?;
-            let extents = connected.iter().map(|&sheet| (extent(sheets, rays, sheet), sheet));
-            let widest = extents.max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+            // The first of the widest sheets.
+            let mut widest: Option<(f64, u32)> = None;
+            for &sheet in &connected {
+                goes_on(sheets.list[sheet as usize].rings[0].len())?;
+                let size = extent(sheets, rays, sheet);
+                let is_wider = |(most, first): (f64, u32)| most.total_cmp(&size).then(sheet.cmp(&first)).is_lt();
+                if widest.is_none_or(is_wider) {
+                    widest = Some((size, sheet));
+                }
+            }
             let Some((_, widest)) = widest else { continue };
             let around = rays.around_front(&sheets.list[widest as usize], |_| true, budget)?;
             let start = space(widest, SheetSide::Front);

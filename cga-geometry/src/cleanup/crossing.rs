@@ -9,6 +9,7 @@ use crate::nesting::extent::Extent;
 use crate::small_sort::SmallSort;
 use crate::tol::TOUCH_EPSILON;
 use crate::triangulate::{PlaneProjection, filling, is_filled};
+use crate::work;
 
 /// The limit on pairs of edges of a face that are compared. Further edges of larger faces count as apart.
 const MOST_PAIRS: usize = 1 << 22;
@@ -59,7 +60,8 @@ fn will_cross(mesh: &Mesh, face: usize, targets: &[u32], normals: [DVec3; 2]) ->
         let crosses = |other: [u32; 2]| cross(&planes[1], now, other.each(target)) && !cross(&planes[0], edge, other);
         now[0] != now[1] && edges.iter().any(|&other| crosses(other))
     };
-    moved.any(crosses)
+    // If work is to end, no edge may move.
+    moved.any(|edge| !work::spend(edges.len()) || crosses(edge))
         || will_cross_at_points(face.loops(), target, |point| planes[1].apply(mesh.points[point as usize]))
         || (face.holes().len() != 0
             && is_filled(&flat(mesh, face.loops(), planes[0]))

@@ -29,6 +29,7 @@ pub use short_edges::without_short_edges;
 use crate::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::mesh::Mesh;
 use crate::tol::{AT_LIMIT_EPSILON, FLAT_ANGLE_EPSILON, FLAT_EPSILON, MERGE_EPSILON, ROUNDING_EPSILON};
+use crate::work;
 
 /// The most rounds after the first one.
 const MOST_ROUNDS: usize = 8;
@@ -136,7 +137,10 @@ fn without_unused_points(made: Mesh, original: &Mesh) -> Mesh {
     made.finish_used()
 }
 
-/// A mesh between two steps.
+/// The units of work of a corner in a step.
+const CORNER: usize = 8;
+
+/// A mesh between two steps. If work is to end, steps change nothing.
 struct Draft {
     mesh: Mesh,
     /// The edges with tags that one face had in both directions from the start. Such edges that merged points make go.
@@ -167,6 +171,9 @@ impl Draft {
     }
 
     fn step(&mut self, step: impl FnOnce(&Mesh) -> Option<Mesh>) {
+        if !work::spend(CORNER * self.mesh.corners.len()) {
+            return;
+        }
         if let Some(made) = step(&self.mesh) {
             self.mesh = made;
             self.steps += 1;

@@ -167,6 +167,15 @@ fn an_obj_file_stays_if_its_library_cannot_be_written() {
     std::fs::remove_dir_all(folder).expect("it goes");
 }
 
+#[test]
+fn an_image_whose_name_begins_as_an_option_is_an_image() {
+    let look = Arc::new(Material::with(|look| look.set_text(MaterialText::Map(Layer::Color), "-s 2 2 wall.png")));
+    let mut fill = Fill(Model::default());
+    fill.quad("Wall", &look, front(DVec3::ZERO, 2.0, 3.0));
+    let library = fill.0.to_obj("house.mtl").1;
+    assert!(library.contains("map_Kd ./-s 2 2 wall.png\n"), "{library}");
+}
+
 /// The format has no escapes, so a name gets other characters where its own would end the line.
 #[test]
 fn names_do_not_end_their_lines() {

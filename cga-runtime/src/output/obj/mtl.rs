@@ -65,7 +65,9 @@ fn write_map(text: &mut String, material: &Material, key: &str, layer: Layer, pa
     }
     // The format has no escapes.
     let path = file_name(path).replace(ends_line, "_");
-    let _ = writeln!(text, " {path}");
+    // A path that begins as an option does.
+    let here = if path.starts_with('-') { "./" } else { "" };
+    let _ = writeln!(text, " {here}{path}");
 }
 
 /// Returns true for characters that some reader takes as the end of a line or a word. A space may be a part of a name.
