@@ -187,7 +187,7 @@ pub mod texture {
 pub mod sink {
     #[cfg(feature = "gltf")]
     pub use cga_runtime::output::gltf;
-    pub use cga_runtime::output::{buffers, meshes, obj, picture, sink_table, stats, svg, watertight};
+    pub use cga_runtime::output::{buffers, meshes, obj, picture, sink_table, stats, svg, watertight, write_file};
     /// A trait has no name that can be deprecated.
     #[doc(hidden)]
     pub use cga_runtime::run::sink::Sink;

@@ -12,6 +12,19 @@ pub fn rules() -> Vec<Text> {
     every.start_rules().iter().map(|rule| rule.name.clone()).filter(|name| name.starts_with('R')).collect()
 }
 
+/// The bound of the units of work between two questions to the watch, of each rule of [`rules`] on each shape of [`shapes`].
+/// `CGA_BLESS=1 cargo bench -p cga-tests --bench stopping` writes the file.
+pub fn bounds() -> Vec<(&'static str, u64)> {
+    let lines = include_str!("rules/one_operation_units.txt").lines();
+    lines
+        .map(|line| line.split_once(' ').expect("two words"))
+        .map(|(rule, units)| (rule, units.parse().expect("a number")))
+        .collect()
+}
+
+/// The largest bound of a rule: some milliseconds of work.
+pub const MOST_UNITS: u64 = 1 << 20;
+
 /// The number of corners of a shape.
 const CORNERS: usize = 5_000;
 

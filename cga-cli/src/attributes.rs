@@ -7,12 +7,12 @@ use cga::{Attribute, Grammar, RuleFile, Text, Value};
 use crate::Status;
 use crate::options::AttributeOptions;
 use crate::run::load;
-use crate::stream::{print, say};
+use crate::stream::{print, say, visible};
 
 pub(crate) fn command(options: &AttributeOptions) -> Status {
     match load(&options.rules, &mut |_| Ok(false)) {
         Ok(rules) => {
-            let text = if options.json { rules.attributes_json() + "\n" } else { table(&rules) };
+            let text = if options.json { rules.attributes_json() + "\n" } else { visible(&table(&rules)).into_owned() };
             print(&text).map_or_else(
                 |why| {
                     say(why);

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use cga::sink::picture::Picture;
+use cga::sink::write_file;
 use cga::{Batches, Model, Report, WriteError};
 
 use crate::options::RunOptions;
@@ -132,16 +133,16 @@ impl Output {
     }
 }
 
-/// Writes the reported values as JSON to a file, or to standard output for `-`.
+/// Writes the reported values as JSON to a file, or to standard output for `-`. A file of that name stays as it is if this fails.
 ///
 /// # Errors
 /// A sentence about the file.
 pub(crate) fn write_reports(report: &Report, path: &Path) -> Result<(), String> {
-    let refused = |why: &dyn std::fmt::Display| format!("cannot write the reports to `{}`: {why}", path.display());
-    let mut text = serde_json::to_string_pretty(report.reports()).map_err(|why| refused(&why))?;
+    let text = serde_json::to_string_pretty(report.reports());
+    let mut text = text.map_err(|why| format!("cannot write the reports to `{}`: {why}", path.display()))?;
     text.push('\n');
     if path == Path::new("-") {
         return print(&text);
     }
-    std::fs::write(path, text).map_err(|why| refused(&why))
+    write_file(path, text.as_bytes()).map_err(|why| why.to_string())
 }

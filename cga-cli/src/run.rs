@@ -10,7 +10,7 @@ use crate::Status;
 use crate::lots::lots;
 use crate::options::{RuleOptions, RunOptions};
 use crate::outputs::{Output, check_inputs, check_outputs, write_reports};
-use crate::stream::{print, say};
+use crate::stream::{print_lines, say};
 
 /// The reason why a command ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -143,7 +143,7 @@ fn tell(options: &RunOptions, output: &Output) -> Result<(), String> {
     if options.reports.as_deref() == Some(Path::new("-")) {
         report.prints().iter().for_each(say);
     } else {
-        print(&report.prints().iter().map(|print| format!("{print}\n")).collect::<String>())?;
+        print_lines(&report.prints().iter().map(|print| format!("{print}\n")).collect::<String>())?;
     }
     report.faults().iter().for_each(|fault| say(in_command(&fault.to_string())));
     if 0 < report.faults_left_out() {

@@ -217,6 +217,37 @@ fn the_file_of_a_link_is_an_input_too() {
     assert!(folder.read("tower.cga") == rules);
 }
 
+/// Rules of others may have escapes of terminals, and marks that turn the direction of writing.
+#[test]
+fn a_terminal_gets_no_escapes_from_rules() {
+    let folder = Folder::new("escapes");
+    let escape = "\u{1b}[2J\u{202e}\r";
+    let rules = format!("attr name = \"{escape}\"\nLot --> set(material.name, name) i(name) Wall /* {escape} */\n");
+    folder.write("escape.cga", &rules);
+    folder.write("wrong.cga", &format!("Lot --> X. + /* {escape} */ \"{escape}\"\n"));
+    let commands = ["check escape.cga", "check wrong.cga", "check wrong.cga --format short", "attributes escape.cga"];
+    for args in commands.into_iter().chain(["run escape.cga", "run wrong.cga", "run escape.cga --lot \u{1b}x"]) {
+        let Output { stdout, stderr, .. } = folder.run(args);
+        let all = text(&stdout) + &text(&stderr);
+        assert!(!all.contains(['\u{1b}', '\u{202e}', '\r']) && all.contains("\\u{1b}"), "{args}: {all:?}");
+    }
+}
+
+/// A program that has the file before open still reads it.
+#[test]
+fn reports_take_the_place_of_the_file_before_when_they_are_whole() {
+    use std::io::Read as _;
+    let folder = Folder::new("whole-reports");
+    folder.write("x.json", "before");
+    let mut before = fs::File::open(folder.0.join("x.json")).expect("the file");
+    let output = folder.run("run tower.cga --reports x.json");
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let mut text = String::new();
+    before.read_to_string(&mut text).expect("the file before");
+    assert_eq!(text, "before");
+    assert!(folder.read("x.json").starts_with(b"{"));
+}
+
 /// A feature with a square at some degrees to the east.
 fn square(id: u32, properties: &str, east: f64) -> String {
     let (low, high) = (east, east + 0.0002);

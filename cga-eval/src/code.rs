@@ -134,6 +134,8 @@ pub(crate) struct HostCall {
     pub(crate) function: HostFunction,
     pub(crate) args: Box<[Type]>,
     pub(crate) ty: Type,
+    /// True for a value of the host program (`#name`), which exists once and does not count for limits.
+    pub(crate) is_value: bool,
 }
 
 impl std::fmt::Debug for HostCall {

@@ -6,6 +6,9 @@ use std::path::Path;
 
 use cga_lang::syntax::lex::{MOST_BYTES, TOO_LONG, decode};
 
+/// The reason why pipes and devices are not read.
+const NOT_REGULAR: &str = "it is not a regular file";
+
 /// The text of a rule file of at most 1 MB. Bytes that are not UTF-8 are read as Latin-1.
 ///
 /// # Errors
@@ -16,10 +19,15 @@ pub fn read_text(path: &Path) -> Result<String> {
         return Err(Error::new(ErrorKind::IsADirectory, "it is a folder; name a rule file in it"));
     }
     if !about.is_file() {
-        return Err(Error::other("it is not a regular file"));
+        return Err(Error::other(NOT_REGULAR));
+    }
+    let file = File::open(path)?;
+    // The path may lead to another file by now.
+    if !file.metadata()?.is_file() {
+        return Err(Error::other(NOT_REGULAR));
     }
     let mut bytes = Vec::new();
-    File::open(path)?.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
+    file.take(MOST_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     if MOST_BYTES < bytes.len() {
         return Err(Error::other(TOO_LONG));
     }

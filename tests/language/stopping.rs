@@ -4,13 +4,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-use cga::{Error, Settings, Shape, Watch, cga};
+use cga::{Error, Settings, Shape, Text, Watch, cga};
 use cga_lang::ops::{Changes, all_operations};
-use cga_tests::stopped::{Every, rules, shapes};
-
-/// The largest number of units of work between two questions: a few hundred thousand, and the largest step that is counted at
-/// once.
-const MOST: u64 = 2_000_000;
+use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes};
 
 #[test]
 fn every_operation_that_is_not_slim_has_a_row() {
@@ -58,13 +54,26 @@ fn questions(rule: &str, shape: &Shape, last: u64) -> (u64, u64) {
 #[test]
 fn every_operation_asks_its_watch() {
     let shapes = shapes();
-    let rules = rules();
+    let (rules, bounds) = (rules(), bounds());
     for (number, rule) in rules.iter().enumerate() {
         for (kind, shape) in shapes.iter().enumerate() {
             // Runs are long in a build without optimisation, so each is stopped early, at different questions.
             let (most, count) = questions(rule, shape, 1 + (number + kind) as u64 % 4);
-            assert!(1 < count && most < MOST, "{rule}: {most} units of work between two of {count} questions");
+            let bound = bounds[number].1;
+            assert!(1 < count && most <= bound, "{rule}: {most} units between two of {count} questions, not {bound}");
         }
+    }
+}
+
+#[test]
+fn every_rule_has_a_bound() {
+    let (bounds, rules) = (bounds(), rules());
+    assert!(
+        bounds.iter().map(|(rule, _)| *rule).eq(rules.iter().map(Text::as_str)),
+        "the bench `stopping` writes them"
+    );
+    for (rule, units) in bounds {
+        assert!(units <= MOST_UNITS, "{rule}: {units}");
     }
 }
 
@@ -115,6 +124,54 @@ fn long_values_of_nested_calls_have_a_limit_in_all() {
         let error = run(start, 10_000_000).expect_err("20 MB of values");
         assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{start}: {error}");
     }
+}
+
+fn long_text(length: f64) -> String {
+    "x".repeat(length as usize)
+}
+
+fn long_list(length: f64) -> Vec<f64> {
+    vec![1.0; length as usize]
+}
+
+fn long_texts(length: f64) -> [String; 2] {
+    [long_text(length), long_text(length)]
+}
+
+/// Each call makes a value of its own.
+#[test]
+fn results_of_rust_functions_have_a_limit_in_all() {
+    let rules = cga! {
+        @StartRule
+        Text --> Text(0)
+        @StartRule
+        List --> List(0)
+        @StartRule
+        Texts --> Texts(0)
+        @StartRule
+        Short --> Short(0)
+        Text(n) --> case n < 100 : HeldText(crate::stopping::long_text(100000), n) else : X.
+        HeldText(text, n) --> [ Text(n + 1) ] Told(text)
+        List(n) --> case n < 100 : HeldList(crate::stopping::long_list(6250), n) else : X.
+        HeldList(list, n) --> [ List(n + 1) ] Told("" + list[0])
+        Texts(n) --> case n < 100 : HeldTexts(crate::stopping::long_texts(50000), n) else : X.
+        HeldTexts(texts, n) --> [ Texts(n + 1) ] Told(texts[0])
+        Short(n) --> case n < 100 : HeldShort(crate::stopping::long_text(200), n) else : X.
+        HeldShort(text, n) --> [ Short(n + 1) ] Told(text)
+        Told(text) --> case text == "" : Y. else : X.
+    };
+    let run = |start: &str, bytes: u64| {
+        let limits = cga::Limits { bytes, ..cga::Limits::default() };
+        let settings = Settings { start: Some(start.to_owned()), limits, ..Settings::default() };
+        rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings)
+    };
+    for start in ["Text", "List", "Texts"] {
+        assert!(run(start, 11_000_000).is_ok(), "{start}");
+        let error = run(start, 9_000_000).expect_err("10 MB of values");
+        assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{start}: {error}");
+    }
+    // 200 bytes a call do not count.
+    assert!(run("Short", 100_000).is_ok());
 }
 
 /// A run in a sink of a run that was stopped has its own watch, or none.

@@ -8,6 +8,8 @@ use cga_lang::snippet::{Position, Quote, render_in};
 use cga_lang::span::Span;
 use serde_json::json;
 
+use crate::stream::visible;
+
 /// A form of the findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub(crate) enum Format {
@@ -36,13 +38,14 @@ pub(crate) fn write<'t>(
     out: &mut dyn Write,
 ) -> Result<()> {
     if format == Format::Full {
-        return writeln!(out, "{}\n", render_in(compiled, quote, diag));
+        return writeln!(out, "{}\n", visible(&render_in(compiled, quote, diag)));
     }
     let place = place(compiled, quote, diag.span);
     let (level, code) = (word(diag.level), diag.code.name());
     if format == Format::Short {
         let (file, Position { line, column }) = (&place.file, place.start);
-        return writeln!(out, "{file}:{line}:{column}: {level}[{code}]: {}", diag.message);
+        let line = format!("{file}:{line}:{column}: {level}[{code}]: {}", diag.message);
+        return writeln!(out, "{}", visible(&line).replace('\n', "\\n"));
     }
     let notes: Vec<_> = diag
         .reasons()

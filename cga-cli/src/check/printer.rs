@@ -3,6 +3,7 @@
 use super::count::count;
 use super::format::{self, Format};
 use crate::options::CheckOptions;
+use crate::stream::visible;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
@@ -91,6 +92,7 @@ impl<'o> Printer<'o> {
         }
         let name = &compiled.files[0].name;
         let parts = [(counts.rules, "rule"), (counts.splits, "split"), (counts.comps, "comp")].map(counted).join(", ");
+        let name = visible(name).replace('\n', "\\n");
         write!(out, "{name}: {parts}; {}, {}", counted((own.errors, "error")), counted((own.warnings, "warning")))?;
         if 0 < own.imported {
             write!(out, "; {} in imported files", counted((own.imported, "error")))?;

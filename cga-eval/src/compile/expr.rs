@@ -71,7 +71,7 @@ impl Steps {
 
     /// Adds a value of Rust code.
     fn host(&mut self, name: String, function: HostFunction, ty: Type) {
-        self.add(Instruction::Host(Box::new(HostCall { name, function, args: Box::default(), ty })));
+        self.add(Instruction::Host(Box::new(HostCall { name, function, args: Box::default(), ty, is_value: true })));
     }
 
     /// Adds a jump whose end is not known yet.
@@ -180,7 +180,7 @@ impl Compiler<'_> {
                     return self.problems.unregistered(&name, "function", self.registered.is_live, expr.span);
                 };
                 let args = args.iter().map(|arg| arg.ty).collect();
-                steps.add(Instruction::Host(Box::new(HostCall { name, function, args, ty: expr.ty })));
+                steps.add(Instruction::Host(Box::new(HostCall { name, function, args, ty: expr.ty, is_value: false })));
             }
             ExprKind::Shape(attr) => match dispatch::read(attr) {
                 Some(call) => steps.call(call),

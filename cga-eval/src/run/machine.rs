@@ -321,5 +321,8 @@ fn host_call(call: &HostCall, stack: &mut Stack, env: &mut Env) {
     let mut args: Vec<Value> = call.args.iter().rev().map(|ty| stack.value(*ty)).collect();
     args.reverse();
     let value = host::of_type(env, &call.name, (call.function)(&args), &crate::object::nothing(call.ty));
+    if !call.is_value {
+        host::count(env, &value);
+    }
     stack.push_value(value);
 }

@@ -84,7 +84,15 @@ impl Generator<'_> {
                 let path = self.source.path(expr.span.first, path);
                 let here = self.at_path(expr.span);
                 let convert = conversion(HostType::Is(expr.ty), here);
-                self.with_rust_args(args, at, |args| quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#args),*))))
+                let call = |args: &[TokenStream]| {
+                    let value = quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#args),*)));
+                    let env = &at.env;
+                    match expr.ty {
+                        Type::Float | Type::Bool => value,
+                        _ => code!(cga_rt::host::counted(#env, #value)),
+                    }
+                };
+                self.with_rust_args(args, at, call)
             }
             ExprKind::Shape(attr) => {
                 let (get, needs) = (function_of(attr.get, attr.name), at.needs(attr.needs));

@@ -1,6 +1,8 @@
 //! Files that rules import. They must be inside the package, like the file after `in`.
 
 use std::collections::HashMap;
+use std::fs::File;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use cga_lang::compile::Dialect;
@@ -23,6 +25,8 @@ pub(crate) struct Imports {
     root: PathBuf,
     /// In the order in which they were opened first.
     opened: Vec<Imported>,
+    /// The same files as the compiler takes them: each is read once, as it may change between two imports.
+    units: HashMap<String, Unit>,
     /// The entries of the folders read so far.
     listed: HashMap<PathBuf, Vec<String>>,
 }
@@ -37,7 +41,7 @@ pub(crate) struct Imported {
 impl Imports {
     pub(crate) fn new() -> Self {
         let root = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-        Imports { root, opened: Vec::new(), listed: HashMap::new() }
+        Imports { root, opened: Vec::new(), units: HashMap::new(), listed: HashMap::new() }
     }
 
     /// The files.
@@ -58,15 +62,18 @@ impl Files for Imports {
                 _ => "there is no such file in the package".into(),
             });
         };
+        if let Some(unit) = self.units.get(name) {
+            return Ok(unit.clone());
+        }
         let text = text(&self.root, name).map_err(|error| error.to_string())?;
         let lexed = lex(&text);
-        let named = |name: &str| self.opened.iter().find(|file| file.text.name == name);
-        if named(name).is_none() {
-            let path = named(from).map_or(path, |file| &file.path).to_owned();
-            let text = QuotedText { name: name.clone(), written: text, ranges: lexed.ranges };
-            self.opened.push(Imported { text, path });
-        }
-        Ok(Unit { name: name.clone(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags })
+        let through = self.opened.iter().find(|file| file.text.name == from);
+        let path = through.map_or(path, |file| &file.path).to_owned();
+        let text = QuotedText { name: name.clone(), written: text, ranges: lexed.ranges };
+        self.opened.push(Imported { text, path });
+        let unit = Unit { name: name.clone(), tokens: lexed.tokens, dialect: Dialect::Text, found: lexed.diags };
+        self.units.insert(name.clone(), unit.clone());
+        Ok(unit)
     }
 
     fn beside(&mut self, path: &str, from: &str) -> Vec<String> {
@@ -82,8 +89,7 @@ impl Files for Imports {
             return Some(Asset::Missing(self.beside_place(place)));
         };
         let is_mesh = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("obj"));
-        let is_small = path.metadata().is_ok_and(|data| data.len() <= LARGEST_MESH);
-        let bytes = (is_mesh && is_small).then(|| std::fs::read(path).ok()).flatten();
+        let bytes = is_mesh.then(|| small_file(&path)).flatten();
         Some(bytes.map_or(Asset::There, |bytes| Asset::obj(&String::from_utf8_lossy(&bytes))))
     }
 }
@@ -100,6 +106,18 @@ impl Imports {
         let Ok(folder) = resolved(&self.root, folder) else { return Vec::new() };
         self.listed.entry(folder.clone()).or_insert_with(|| names(&folder).take(MOST_BESIDE).collect()).clone()
     }
+}
+
+/// The bytes of a file that is not larger than [`LARGEST_MESH`].
+fn small_file(path: &Path) -> Option<Vec<u8>> {
+    let file = File::open(path).ok()?;
+    if LARGEST_MESH < file.metadata().ok()?.len() {
+        return None;
+    }
+    let mut bytes = Vec::new();
+    // A file may grow while it is read.
+    file.take(LARGEST_MESH + 1).read_to_end(&mut bytes).ok()?;
+    (bytes.len() as u64 <= LARGEST_MESH).then_some(bytes)
 }
 
 /// The entries of a folder, unsorted.
@@ -125,7 +143,8 @@ mod tests {
         write("assets/tree.obj", "g Bark\nf 1 2 3\n");
         write("assets/wood/oak.png", "");
         write("table.csv", "1;2");
-        let mut files = Imports { root: root.clone(), opened: Vec::new(), listed: HashMap::new() };
+        let mut files =
+            Imports { root: root.clone(), opened: Vec::new(), units: HashMap::new(), listed: HashMap::new() };
         let groups = vec!["Bark".to_owned()];
         let tree = Asset::Mesh { has_faces: true, groups, materials: Vec::new() };
         assert_eq!(files.asset("assets/tree.obj"), Some(tree));
@@ -135,6 +154,22 @@ mod tests {
         assert!(
             matches!(files.asset("assets/wood"), Some(Asset::Missing(names)) if names.contains(&"tree.obj".to_owned()))
         );
+        std::fs::remove_dir_all(&root).unwrap();
+    }
+
+    #[test]
+    fn an_imported_file_is_read_once() {
+        let root = std::env::temp_dir().join(format!("cga-import-once-{}", std::process::id()));
+        std::fs::create_dir_all(&root).unwrap();
+        std::fs::write(root.join("wall.cga"), "Wall --> X.").unwrap();
+        let mut files = Imports { root: root.clone(), ..Imports::new() };
+        let count = |unit: Result<Unit, String>| unit.unwrap().tokens.as_slice().len();
+        let first = count(files.open("wall.cga", "lot.cga"));
+        std::fs::write(root.join("wall.cga"), "Wall --> extrude(3) X. Roof --> Y.").unwrap();
+        assert_eq!(count(files.open("wall.cga", "house.cga")), first);
+        std::fs::remove_file(root.join("wall.cga")).unwrap();
+        // Diagnostics quote the text that was read.
+        assert_eq!((files.opened.len(), files.opened[0].text.ranges.len()), (1, first));
         std::fs::remove_dir_all(&root).unwrap();
     }
 
@@ -150,7 +185,7 @@ mod tests {
         symlink(root.join("secret.cga"), package.join("file.cga")).unwrap();
         symlink(&root, package.join("folder")).unwrap();
         symlink("wall.cga", package.join("inside.cga")).unwrap();
-        let mut files = Imports { root: package, opened: Vec::new(), listed: HashMap::new() };
+        let mut files = Imports { root: package, opened: Vec::new(), units: HashMap::new(), listed: HashMap::new() };
         let why = "it is not a file in the package, and paths and links that lead out of it are not followed";
         for path in ["file.cga", "folder/secret.cga"] {
             assert_eq!(files.open(path, "lot.cga").unwrap_err(), why);

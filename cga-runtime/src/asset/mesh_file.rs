@@ -39,14 +39,42 @@ pub(super) fn readable(name: &str) -> Result<(), AssetError> {
     }))
 }
 
+/// The most bytes that are read for a mesh: its file, and the files that it names. A small file may name a large one very often.
+#[cfg(any(feature = "obj", feature = "gltf"))]
+const MOST_BYTES: u64 = 1 << 30;
+
 /// Reads a file. Image names in its materials become relative to the top of the store.
 #[cfg(any(feature = "obj", feature = "gltf"))]
 pub(super) fn read(store: &Store, found: &StoredFile) -> Result<MeshFile, AssetError> {
-    let bytes = store.read(found, u64::MAX)?;
-    let mut beside = |name: &str| store.read(&store.beside(found, name)?, u64::MAX).ok();
-    let (mesh, images) = parsed(found.path(), &bytes, &mut beside)?;
+    read_within(store, found, MOST_BYTES)
+}
+
+/// Reads a file, and at most `most` bytes of it and of the files that it names.
+#[cfg(any(feature = "obj", feature = "gltf"))]
+fn read_within(store: &Store, found: &StoredFile, most: u64) -> Result<MeshFile, AssetError> {
+    // `None` after more bytes.
+    let mut left = Some(most);
+    let mut read = |file: &StoredFile| {
+        let all = left?;
+        let bytes = store.read(file, all.saturating_add(1));
+        let count = bytes.as_ref().map_or(0, |bytes| bytes.len() as u64);
+        left = all.checked_sub(count);
+        left.map(|_| bytes)
+    };
+    let bytes = read(found).ok_or_else(|| too_large(most))??;
+    let mut beside = |name: &str| read(&store.beside(found, name)?)?.ok();
+    let found_mesh = parsed(found.path(), &bytes, &mut beside);
+    if left.is_none() {
+        return Err(too_large(most));
+    }
+    let (mesh, images) = found_mesh?;
     let mesh = super::image_paths::with_names_from_root(mesh, store, found);
     Ok(MeshFile { mesh: Arc::new(mesh), images: images.into() })
+}
+
+#[cfg(any(feature = "obj", feature = "gltf"))]
+fn too_large(most: u64) -> AssetError {
+    AssetError::Broken(format!("it and the files that it names have more than {most} bytes"))
 }
 
 #[cfg(not(any(feature = "obj", feature = "gltf")))]
@@ -83,4 +111,37 @@ pub(super) fn metadata(store: &Store, found: &StoredFile) -> Result<Vec<(String,
     }
     let _ = (store, found);
     Ok(Vec::new())
+}
+
+#[cfg(all(test, feature = "gltf"))]
+mod tests {
+    use super::*;
+
+    /// The same file by many names.
+    #[test]
+    fn the_files_that_a_file_names_have_a_limit_in_all() {
+        let folder = std::env::temp_dir().join(format!("cga-mesh-file-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        let buffers: Vec<String> = (0..100)
+            .map(|count| format!("{{\"uri\": \"{}data.bin\", \"byteLength\": 9}}", "./".repeat(count)))
+            .collect();
+        let text = format!(
+            "{{\"asset\": {{\"version\": \"2.0\"}}, \"nodes\": [{{\"mesh\": 0}}], \"meshes\": [{{\"primitives\": [{{\"attributes\": \
+             {{\"POSITION\": 0}}}}]}}], \"accessors\": [{{\"bufferView\": 0, \"componentType\": 5121, \"count\": 3, \"type\": \
+             \"VEC3\"}}], \"bufferViews\": [{{\"buffer\": 0, \"byteLength\": 9}}], \"buffers\": [{}]}}",
+            buffers.join(", ")
+        );
+        std::fs::write(folder.join("sail.gltf"), &text).expect("a file");
+        let data = [&[0, 0, 0, 1, 0, 0, 0, 1, 0][..], &[0; 1_000]].concat();
+        std::fs::write(folder.join("data.bin"), &data).expect("a file");
+        let store = Store::Folder(folder.canonicalize().expect("a folder"));
+        let found = store.find("sail.gltf").expect("the file");
+        let all = (text.len() + 100 * data.len()) as u64;
+        assert!(read_within(&store, &found, all).is_ok_and(|file| file.mesh.area() == 0.5));
+        for most in [all - 1, text.len() as u64, 10] {
+            let why = read_within(&store, &found, most).expect_err("too many bytes").to_string();
+            assert_eq!(why, format!("it and the files that it names have more than {most} bytes"));
+        }
+        let _ = std::fs::remove_dir_all(&folder);
+    }
 }

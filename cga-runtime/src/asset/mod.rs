@@ -64,6 +64,10 @@ const USABLE: [&str; 10] = ["bmp", "gif", "jpg", "jpeg", "png", "tif", "tiff", "
 /// A name is a path with forward slashes. A name that begins with a slash is relative to the asset folder. Any other
 /// name is looked up from the folder of the rule file that names it upwards: in the subfolder `assets` of each folder,
 /// if it exists, and then in the folder itself (*Asset search*; [`cga_split::files::places`]).
+///
+/// A mesh file and the files that it names have at most 1 GiB in all. Image files have at most 256 MiB and 33,554,432 pixels, and no more
+/// pixels than their bytes can hold. To decode an image takes up to 11 bytes for each pixel, and a progressive JPEG file of that size has at
+/// most 24 scans, smaller ones up to 100.
 #[derive(Default)]
 pub struct Assets {
     store: Store,

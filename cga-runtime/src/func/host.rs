@@ -2,6 +2,7 @@
 
 use crate::fault::{Fault, FaultKind};
 use crate::func;
+use crate::func::limit::ELEMENT;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::value::Value;
@@ -227,6 +228,53 @@ pub fn operate<R: Outcome>(env: &mut Env, shape: &mut Shape, operation: impl FnO
 /// Text for an argument of a Rust function.
 pub fn as_str(text: &Text) -> &str {
     text.as_str()
+}
+
+/// A result of a Rust function that may be large.
+pub trait Counted {
+    /// The bytes that the value counts for in [`Limits::bytes`](crate::run::settings::Limits::bytes).
+    fn bytes(&self) -> usize;
+}
+
+impl Counted for Text {
+    fn bytes(&self) -> usize {
+        self.len()
+    }
+}
+
+impl Counted for Array<f64> {
+    fn bytes(&self) -> usize {
+        self.len().saturating_mul(ELEMENT)
+    }
+}
+
+impl Counted for Array<bool> {
+    fn bytes(&self) -> usize {
+        self.len().saturating_mul(ELEMENT)
+    }
+}
+
+impl Counted for Array<Text> {
+    fn bytes(&self) -> usize {
+        self.into_iter().map(|text| text.len() + ELEMENT).fold(0, usize::saturating_add)
+    }
+}
+
+/// A result of a Rust function, which counts. The limits of texts and arrays do not apply: the program has made the value.
+pub fn counted<T: Counted>(env: &mut Env, value: T) -> T {
+    env.count_result(value.bytes());
+    value
+}
+
+/// Counts a result of a Rust function that loaded rules call.
+pub fn count(env: &mut Env, value: &Value) {
+    env.count_result(match value {
+        Value::Text(text) => text.bytes(),
+        Value::Floats(array) => array.bytes(),
+        Value::Bools(array) => array.bytes(),
+        Value::Texts(array) => array.bytes(),
+        _ => 0,
+    });
 }
 
 /// The type of an argument of a Rust function.

@@ -12,7 +12,7 @@ use crate::value::text::Text;
 const SHORT: usize = 256;
 
 /// The bytes that an element of an array counts for.
-const ELEMENT: usize = 16;
+pub(super) const ELEMENT: usize = 16;
 
 impl Env {
     /// Returns true if an array of `elements` elements may be made, and counts it. If not, the run ends.
@@ -53,6 +53,12 @@ impl Env {
             let _: Flow = self.count_bytes(bytes as u64);
         }
         !self.ended()
+    }
+
+    /// Counts a result of a Rust function. If it passes a limit, the run ends.
+    pub(super) fn count_result(&mut self, bytes: usize) {
+        let _: Flow = self.spend(bytes);
+        self.count_value(bytes);
     }
 
     /// A part of a text, as a text of its own. If it is longer than the limit, the run ends and the text is empty.

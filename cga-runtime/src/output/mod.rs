@@ -31,3 +31,5 @@ mod texture;
 mod triangles;
 pub mod watertight;
 mod whole_file;
+
+pub use whole_file::write_file;

@@ -10,10 +10,10 @@
 
 mod mtl;
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -255,6 +255,8 @@ impl<W: Write> Sink for Obj<W> {
 struct GroupNames {
     list: Vec<Option<String>>,
     taken: HashSet<String>,
+    /// A range of numbers for each repeated name: the name is taken with all of them.
+    numbers: HashMap<String, Range<usize>>,
 }
 
 impl GroupNames {
@@ -263,14 +265,21 @@ impl GroupNames {
         if self.list.len() <= id {
             self.list.resize(id + 1, None);
         }
-        let taken = &mut self.taken;
-        self.list[id].get_or_insert_with(|| {
-            let plain = plain_name(material);
-            let name = match taken.contains(&plain) {
+        let GroupNames { list, taken, numbers } = self;
+        list[id].get_or_insert_with(|| {
+            let mut name = plain_name(material);
+            if taken.contains(&name) {
                 // The number makes it unique unless another material has that name.
-                true => (id..).map(|n| format!("{plain}_{n}")).find(|name| !taken.contains(name)).unwrap_or_default(),
-                false => plain,
-            };
+                let full = numbers.entry(name.clone()).or_insert(id..id);
+                if !full.contains(&id) {
+                    *full = id..id;
+                }
+                while taken.contains(&format!("{name}_{}", full.end)) {
+                    full.end += 1;
+                }
+                name = format!("{name}_{}", full.end);
+                full.end += 1;
+            }
             taken.insert(name.clone());
             name
         })
@@ -372,4 +381,38 @@ fn write_images(path: &Path, names: &BTreeSet<Text>) -> Result<(), WriteError> {
 #[cfg(not(feature = "png"))]
 fn write_images(_: &Path, _: &BTreeSet<Text>) -> Result<(), WriteError> {
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The smallest free number from the material's own number on.
+    fn expected(taken: &mut HashSet<String>, id: u32, plain: &str) -> String {
+        let mut names = std::iter::once(plain.to_owned()).chain((id..).map(|number| format!("{plain}_{number}")));
+        let name = names.find(|name| !taken.contains(name)).expect("a free name");
+        taken.insert(name.clone());
+        name
+    }
+
+    #[test]
+    fn materials_with_one_name_get_the_next_free_numbers() {
+        let (mut names, mut taken, mut state) = (GroupNames::default(), HashSet::new(), 1u32);
+        let mut below = |count: u32| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 16) % count
+        };
+        let mut ids: Vec<u32> = (0..400).collect();
+        (0..400).for_each(|at| ids.swap(at, below(400) as usize));
+        ids[..200].sort_unstable();
+        for id in ids {
+            let plain = match below(3) {
+                0 => "m".to_owned(),
+                1 => format!("m_{}", below(400)),
+                _ => format!("m_{}_{}", below(4), below(400)),
+            };
+            let material = Material { name: Some(Text::from(plain.as_str())), ..Material::default() };
+            assert_eq!(names.of(id, &material), expected(&mut taken, id, &plain));
+        }
+    }
 }

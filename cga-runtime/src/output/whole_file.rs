@@ -59,6 +59,14 @@ impl Drop for WholeFile {
     }
 }
 
+/// Writes a file of these bytes as models write theirs: whole, or not at all. A file that had the name stays as it was if this fails.
+///
+/// # Errors
+/// Errors of the file system, with the path.
+pub fn write_file(path: impl AsRef<Path>, bytes: &[u8]) -> Result<(), WriteError> {
+    write(path.as_ref(), bytes)
+}
+
 /// Writes a file of these bytes.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), WriteError> {
     write_with(path, |out| Ok(out.write_all(bytes)?))

@@ -23,7 +23,8 @@ pub fn read_string_table(env: &mut Env, file: File) -> Array<Text> {
         }
     };
     let columns = rows.iter().map(Vec::len).max().unwrap_or_default();
-    if !env.may_hold(rows.len().saturating_mul(columns)) {
+    let bytes = rows.iter().flatten().map(|cell| cell.len()).sum();
+    if !(env.may_hold(rows.len().saturating_mul(columns)) && env.may_write(bytes)) {
         return Array::default();
     }
     let table = Array::from(rows);
@@ -83,6 +84,7 @@ fn outside_of_quotes(line: &str) -> impl Iterator<Item = char> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::run::settings::{Limits, Settings};
 
     fn shown(text: &str) -> Vec<Vec<String>> {
         rows(text).iter().map(|row| row.iter().map(ToString::to_string).collect()).collect()
@@ -118,5 +120,24 @@ mod tests {
         assert_eq!(env.take_faults().0.len(), 0);
         assert!(read_string_table(env, "other.csv".into()).is_empty());
         assert_eq!(env.take_faults().0.len(), 1);
+    }
+
+    #[test]
+    fn the_texts_of_cells_count() {
+        let folder = std::env::temp_dir().join(format!("cga-long-cells-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a folder");
+        std::fs::write(folder.join("cells.csv"), format!("a;{}\n", "x".repeat(100_000))).expect("a file");
+        let assets = std::sync::Arc::new(crate::asset::Assets::below(&folder));
+        let table = |limits| {
+            let settings = Settings { assets: assets.clone(), limits, ..Settings::default() };
+            let env = &mut Env::with_names(&settings, &[], &crate::shape::Shape::rectangle(1.0, 1.0), "");
+            let table = read_string_table(env, "cells.csv".into());
+            assert_eq!(table.is_empty(), env.ended());
+            env.ended() || !env.is_within_limit(1)
+        };
+        assert!(!table(Limits::default()));
+        assert!(table(Limits { text: 100_000, ..Limits::default() }));
+        assert!(table(Limits { bytes: 100_000, ..Limits::default() }));
+        let _ = std::fs::remove_dir_all(&folder);
     }
 }

@@ -48,12 +48,23 @@ fn jpeg(bytes: &[u8], header: &ImageHeader) -> Option<Image> {
     let options = DecoderOptions::default()
         .set_max_width(header.width as usize)
         .set_max_height(header.height as usize)
+        .jpeg_set_max_scans(most_scans(header))
         .jpeg_set_out_colorspace(ColorSpace::RGB);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
     let pixels = decoder.decode().ok()?;
     let (width, height) = decoder.dimensions()?;
     whole(width, height, pixels.as_chunks::<3>().0.iter().flat_map(|&[r, g, b]| [r, g, b, 255]).collect())
 }
+
+/// The most scans of a progressive JPEG file that are decoded. Encoders write some ten. An empty scan has ten bytes, and the decoder goes
+/// over all blocks for it, so large images have fewer.
+fn most_scans(header: &ImageHeader) -> usize {
+    let pixels = u64::from(header.width) * u64::from(header.height);
+    (SCANNED_PIXELS / pixels.max(1)).clamp(24, 100) as usize
+}
+
+/// The pixels of all scans of an image, where it has more than 24.
+const SCANNED_PIXELS: u64 = 24 * MOST_PIXELS;
 
 fn whole(width: usize, height: usize, rgba: Vec<u8>) -> Option<Image> {
     (rgba.len() == 4 * width * height).then_some(Image { width, height, rgba })
@@ -132,6 +143,31 @@ mod tests {
         // Arithmetic codes hold as many; the decoder refuses them.
         bytes[frame + 1] = 0xc9;
         assert!(header(&bytes).is_ok_and(|head| decode(&head, &bytes).is_err()));
+    }
+
+    /// A progressive file of one block of middle grey with that many scans.
+    fn progressive(scans: usize) -> Vec<u8> {
+        let mut bytes = grey_jpeg();
+        let frame = bytes.windows(2).position(|pair| pair == [0xff, 0xc0]).expect("a frame");
+        bytes[frame + 1] = 0xc2;
+        let first = bytes.windows(2).position(|pair| pair == [0xff, 0xda]).expect("a scan");
+        bytes.truncate(first);
+        for scan in 0..scans {
+            let [low, high] = if scan == 0 { [0, 0] } else { [1, 63] };
+            bytes.extend([0xff, 0xda, 0, 8, 1, 1, 0, low, high, 0, 0x3f]);
+        }
+        bytes.extend([0xff, 0xd9]);
+        bytes
+    }
+
+    #[test]
+    fn large_images_have_fewer_scans() {
+        for (scans, is_read) in [(1, true), (24, true), (90, true), (110, false)] {
+            let bytes = progressive(scans);
+            assert_eq!(decode(&header(&bytes).expect("a header"), &bytes).is_ok(), is_read, "{scans}");
+        }
+        let of = |side| most_scans(&ImageHeader { kind: ImageKind::Jpeg, width: side, height: side, has_alpha: false });
+        assert_eq!([1, 2048, 4096, 5792].map(of), [100, 100, 48, 24]);
     }
 
     #[test]
