@@ -53,24 +53,6 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Step 12 of the tutorial, as it is written there.
-#[test]
-fn the_command_of_the_tutorial_draws_its_picture() {
-    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/guide");
-    let text = fs::read_to_string(guide.join("tutorial.md")).expect("the tutorial");
-    let command = text.lines().find_map(|line| line.strip_prefix("cga run ")).expect("a command");
-    let folder = Folder::new("tutorial");
-    fs::create_dir_all(folder.0.join("assets")).expect("a folder");
-    for file in ["house.cga", "street.geojson", "assets/bricks.png", "assets/tiles.png"] {
-        fs::copy(guide.join(file), folder.0.join(file)).expect("a file of the tutorial");
-    }
-    let output = folder.run(&format!("run {command} --deny-faults"));
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    assert!(folder.0.join("street.glb").exists());
-    let same = folder.read("street.png") == fs::read(guide.join("step-12.png")).expect("a picture");
-    assert!(same, "docs/guide/step-12.png: run the command of step 12 in docs/guide and take its picture");
-}
-
 /// The bytes, the printed lines and the reports of compiled rules.
 fn compiled(tower: &Tower, lot: &Shape) -> (Vec<u8>, String, String) {
     let model = tower.generate(lot).expect("no limit");
