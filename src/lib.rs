@@ -1,41 +1,36 @@
 // The first definition of a link counts: these replace those at the end of the README, which are right in the repository.
 #![doc = "[reference]: crate::reference"]
-#![cfg_attr(docsrs, doc = concat!("[picture]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/house.png"))]
-#![cfg_attr(docsrs, doc = concat!("[corner]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/corner.png"))]
-#![cfg_attr(docsrs, doc = concat!("[courtyard]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/courtyard.png"))]
-#![cfg_attr(docsrs, doc = concat!("[street]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/street.png"))]
-#![cfg_attr(docsrs, doc = concat!("[gallery]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes.md"))]
-#![cfg_attr(docsrs, doc = concat!("[features]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/features.md"))]
-#![cfg_attr(docsrs, doc = concat!("[tutorial]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/tutorial.md"))]
-#![cfg_attr(docsrs, doc = concat!("[recipes]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md"))]
-#![cfg_attr(docsrs, doc = concat!("[lots]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md#lots-with-attributes"))]
-#![cfg_attr(docsrs, doc = concat!("[assets]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md#assets"))]
-#![cfg_attr(docsrs, doc = concat!("[engines]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md#engines-and-browsers"))]
-#![cfg_attr(docsrs, doc = concat!("[sliders]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md#attributes-in-a-user-interface"))]
-#![cfg_attr(docsrs, doc = concat!("[sinks]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/recipes.md#your-own-sink"))]
-#![cfg_attr(docsrs, doc = concat!("[programs]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/programs.md#many-shapes-large-cities"))]
-#![cfg_attr(docsrs, doc = concat!("[writing]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/guide/writing.md"))]
-#![cfg_attr(docsrs, doc = concat!("[diagnostics]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md"))]
-#![cfg_attr(docsrs, doc = concat!("[editor]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/editor.md"))]
-#![cfg_attr(docsrs, doc = concat!("[performance]: https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md"))]
-#![cfg_attr(not(docsrs), doc = "[picture]: ../../../docs/house.png")]
-#![cfg_attr(not(docsrs), doc = "[corner]: ../../../docs/gallery/scenes/corner.png")]
-#![cfg_attr(not(docsrs), doc = "[courtyard]: ../../../docs/gallery/scenes/courtyard.png")]
-#![cfg_attr(not(docsrs), doc = "[street]: ../../../docs/gallery/scenes/street.png")]
-#![cfg_attr(not(docsrs), doc = "[gallery]: ../../../docs/gallery/scenes.md")]
-#![cfg_attr(not(docsrs), doc = "[features]: ../../../docs/features.md")]
-#![cfg_attr(not(docsrs), doc = "[tutorial]: ../../../docs/guide/tutorial.md")]
-#![cfg_attr(not(docsrs), doc = "[recipes]: ../../../docs/guide/recipes.md")]
-#![cfg_attr(not(docsrs), doc = "[lots]: ../../../docs/guide/recipes.md#lots-with-attributes")]
-#![cfg_attr(not(docsrs), doc = "[assets]: ../../../docs/guide/recipes.md#assets")]
-#![cfg_attr(not(docsrs), doc = "[engines]: ../../../docs/guide/recipes.md#engines-and-browsers")]
-#![cfg_attr(not(docsrs), doc = "[sliders]: ../../../docs/guide/recipes.md#attributes-in-a-user-interface")]
-#![cfg_attr(not(docsrs), doc = "[sinks]: ../../../docs/guide/recipes.md#your-own-sink")]
-#![cfg_attr(not(docsrs), doc = "[programs]: ../../../docs/guide/programs.md#many-shapes-large-cities")]
-#![cfg_attr(not(docsrs), doc = "[writing]: ../../../docs/guide/writing.md")]
-#![cfg_attr(not(docsrs), doc = "[diagnostics]: ../../../docs/diagnostics.md")]
-#![cfg_attr(not(docsrs), doc = "[editor]: ../../../docs/editor.md")]
-#![cfg_attr(not(docsrs), doc = "[performance]: ../../../docs/performance.md")]
+#![doc = "[tutorial]: crate::guide::tutorial"]
+#![doc = "[recipes]: crate::guide::recipes"]
+#![doc = "[questions]: crate::guide::questions"]
+#![doc = "[lots]: crate::guide::recipes#lots-with-attributes"]
+#![doc = "[assets]: crate::guide::recipes#assets"]
+#![doc = "[engines]: crate::guide::recipes#engines-and-browsers"]
+#![doc = "[sliders]: crate::guide::recipes#attributes-in-a-user-interface"]
+#![doc = "[sinks]: crate::guide::recipes#your-own-sink"]
+#![doc = "[tiles]: crate::guide::recipes#maps-and-3d-tiles"]
+#![doc = "[many]: crate::guide::programs#many-shapes-large-cities"]
+#![doc = "[writing]: crate::guide::writing"]
+#![doc = "[cityengine]: crate::guide::cityengine"]
+#![doc = "[pyprt]: crate::guide::pyprt"]
+#![cfg_attr(docsrs, doc = concat!("[picture]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/house.png>"))]
+#![cfg_attr(docsrs, doc = concat!("[corner]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/corner.png>"))]
+#![cfg_attr(docsrs, doc = concat!("[courtyard]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/courtyard.png>"))]
+#![cfg_attr(docsrs, doc = concat!("[street]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes/street.png>"))]
+#![cfg_attr(docsrs, doc = concat!("[gallery]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/gallery/scenes.md>"))]
+#![cfg_attr(docsrs, doc = concat!("[features]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/features.md>"))]
+#![cfg_attr(docsrs, doc = concat!("[diagnostics]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/diagnostics.md>"))]
+#![cfg_attr(docsrs, doc = concat!("[editor]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/editor.md>"))]
+#![cfg_attr(docsrs, doc = concat!("[performance]: <https://docs.rs/crate/cga/", env!("CARGO_PKG_VERSION"), "/source/docs/performance.md>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[picture]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/house.png>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[corner]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/gallery/scenes/corner.png>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[courtyard]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/gallery/scenes/courtyard.png>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[street]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/gallery/scenes/street.png>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[gallery]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/gallery/scenes.md>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[features]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/features.md>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[diagnostics]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/diagnostics.md>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[editor]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/editor.md>"))]
+#![cfg_attr(not(docsrs), doc = concat!("[performance]: <file://", env!("CARGO_MANIFEST_DIR"), "/docs/performance.md>"))]
 #![doc = ""]
 #![doc = include_str!("../README.md")]
 #![forbid(unsafe_code)]
@@ -335,6 +330,9 @@ pub mod split {
 #[doc = include_str!("../docs/reference.md")]
 pub mod reference {}
 
+#[cfg(any(doc, doctest))]
+pub mod guide;
+
 /// The interface of generated code, without a promise of stability.
 #[doc(hidden)]
 pub mod __rt {
@@ -347,28 +345,3 @@ pub mod __rt {
 #[cfg(rust_analyzer)]
 #[doc(hidden)]
 pub mod words;
-
-/// The code of the guide, which runs as tests.
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/recipes.md")]
-mod recipes {}
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/writing.md")]
-mod writing {}
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/programs.md")]
-mod programs {}
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/declarations.md")]
-mod declarations {}
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/faults.md")]
-mod faults {}
-
-#[cfg(doctest)]
-#[doc = include_str!("../docs/guide/results.md")]
-mod results {}

@@ -11,6 +11,7 @@ pub mod outcome;
 pub mod pages;
 pub mod stopped;
 pub mod tree;
+pub mod tutorial;
 
 #[path = "../examples/scenes/mod.rs"]
 pub mod scenes;

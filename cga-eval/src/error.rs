@@ -33,7 +33,8 @@ impl RuleFileError {
     /// The errors and warnings as data, in the same order. The list is empty if a file cannot be read.
     ///
     /// ```
-    /// let error = cga_eval::RuleFile::from_text("Lot --> extrude(3) Wal(1").unwrap_err();
+    /// # use cga_eval::facade as cga;
+    /// let error = cga::RuleFile::from_text("Lot --> extrude(3) Wal(1").unwrap_err();
     /// let first = &error.details()[0];
     /// assert_eq!((first.code, first.line, first.column), ("unclosed_bracket", 1, 23));
     /// assert_eq!((first.is_error, first.end_column), (true, 24));

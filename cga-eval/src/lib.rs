@@ -21,6 +21,16 @@ mod tables;
 #[cfg(feature = "live")]
 mod watch;
 
+/// The names of the package `cga`, for the examples of this documentation: it is also shown there.
+#[doc(hidden)]
+pub mod facade {
+    pub use cga_runtime::facade::*;
+
+    #[cfg(feature = "live")]
+    pub use crate::{Live, LiveError};
+    pub use crate::{RuleFile, RuleFileError, RuleLoader};
+}
+
 pub use cga_source::FileList;
 pub use diagnostic::RuleDiagnostic;
 pub use error::RuleFileError;

@@ -24,9 +24,8 @@ use crate::run::Values;
 /// bytes, compiled or loaded.
 ///
 /// ```
-/// use cga_eval::RuleFile;
-/// use cga_runtime::grammar::Grammar;
-/// use cga_runtime::shape::Shape;
+/// # use cga_eval::facade as cga;
+/// use cga::{Grammar, RuleFile, Shape};
 ///
 /// let mut tower = RuleFile::from_text("attr height = 9  Lot --> extrude(height) split(y) { ~3 : Floor }*  Floor --> X.")?;
 /// tower.set("height", 12.0.into())?;
@@ -76,7 +75,8 @@ impl RuleFile {
     /// from these texts, for example in another process.
     ///
     /// ```
-    /// use cga_eval::RuleLoader;
+    /// # use cga_eval::facade as cga;
+    /// use cga::RuleLoader;
     ///
     /// let rules = RuleLoader::new().with_file("lib.cga", "Wall --> X.").text("import lib : \"lib.cga\"  Lot --> lib.Wall")?;
     /// let loader = rules.texts().fold(RuleLoader::new(), |loader, (name, text)| loader.with_file(name, text));
@@ -91,7 +91,8 @@ impl RuleFile {
     /// know whether the rules are the same.
     ///
     /// ```
-    /// use cga_eval::RuleLoader;
+    /// # use cga_eval::facade as cga;
+    /// use cga::RuleLoader;
     ///
     /// let loader = RuleLoader::new().with_file("lib.cga", "Wall --> X.");
     /// let rules = loader.text("import lib : \"lib.cga\"  Lot --> extrude(5) lib.Wall")?;

@@ -23,8 +23,8 @@ use crate::tables::{attributes, tables};
 /// Loads rules with files in memory and functions of the program.
 ///
 /// ```
-/// use cga_eval::RuleLoader;
-/// use cga_runtime::value::Value;
+/// # use cga_eval::facade as cga;
+/// use cga::{RuleLoader, Value};
 ///
 /// let rules = RuleLoader::new()
 ///     .with_file("lib.cga", "Wall --> color(\"#ffffff\") X.")
@@ -135,7 +135,8 @@ impl RuleLoader {
     /// themselves, as game engines and web pages do, add them first; [`imports`](RuleLoader::imports) names them.
     ///
     /// ```
-    /// use cga_eval::RuleLoader;
+    /// # use cga_eval::facade as cga;
+    /// use cga::RuleLoader;
     ///
     /// let text = "import walls : \"wall.cga\"  Lot --> walls.Wall";
     /// assert_eq!(RuleLoader::imports("rules/lot.cga", text)[0][..2], ["rules/wall.cga", "rules/assets/wall.cga"]);

@@ -23,6 +23,8 @@ pub use glam;
 
 pub mod asset;
 pub(crate) mod comp;
+#[doc(hidden)]
+pub mod facade;
 pub mod fault;
 pub(crate) mod fixed_hash;
 pub(crate) mod func;

@@ -1,4 +1,4 @@
-//! The pictures of the guide: `docs/guide/step-01.png` and so on.
+//! The pictures of the guide, `docs/guide/step-01.png` and so on, and the images of its walls and roofs in `docs/guide/assets`.
 //!
 //! `cargo run --release --example guide`
 
@@ -22,11 +22,10 @@ use cga::sink::picture::Picture;
 use cga::{Assets, Grammar, Model, Settings, Shape};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new("out/guide");
-    std::fs::create_dir_all(folder)?;
+    let folder = Path::new("docs/guide");
     let images = materials::images();
     for (name, material) in [("bricks.png", "brick_red.png"), ("tiles.png", "tile_red.png")] {
-        images[material].write_png(folder.join(name))?;
+        images[material].write_indexed_png(folder.join("assets").join(name))?;
     }
     let settings = Settings { assets: Assets::below(folder).into(), ..Settings::default() };
     for step in 1..=STEPS {
@@ -74,9 +73,13 @@ fn street(settings: &Settings) -> Result<Model, cga::Error> {
 
 fn write(step: usize, model: &Model) -> Result<(), Box<dyn Error>> {
     model.faults().iter().for_each(|fault| eprintln!("step {step}: {fault}"));
+    picture(step).render(model).write_indexed_png(format!("docs/guide/step-{step:02}.png"))?;
+    Ok(())
+}
+
+/// The view of a step.
+pub(crate) fn picture(step: usize) -> Picture {
     // The street is long.
     let (width, height) = if step == 10 { (1200, 560) } else { (900, 620) };
-    let picture = Picture::new(width, height).looking_from(28.0, 16.0);
-    picture.render(model).write_indexed_png(format!("docs/guide/step-{step:02}.png"))?;
-    Ok(())
+    Picture::new(width, height).looking_from(28.0, 16.0)
 }

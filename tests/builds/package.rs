@@ -40,10 +40,15 @@ impl Package {
 
     /// `cargo check` with the packages that are there already.
     pub(crate) fn check(&self) -> Command {
+        self.command("check")
+    }
+
+    /// A command of cargo with the packages that are there already.
+    pub(crate) fn command(&self, name: &str) -> Command {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut command = Command::new(cargo);
         command
-            .args(["check", "--offline", "--color=never"])
+            .args([name, "--offline", "--color=never"])
             .current_dir(&self.folder)
             .env("CARGO_TARGET_DIR", target())
             .env_remove("RUSTFLAGS");

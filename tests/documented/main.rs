@@ -17,6 +17,7 @@ mod components;
 mod cutting;
 mod faces;
 mod gates;
+mod guide;
 mod mass;
 mod mesh_operations;
 mod normals;

@@ -87,6 +87,7 @@ const CRATES: &[Layers] = &[
             "grammar",
             "rt",
             "rt_eval",
+            "facade",
         ],
     },
     Layers {

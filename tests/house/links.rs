@@ -109,12 +109,14 @@ fn the_docs_of_the_crate_replace_each_link_of_the_readme() {
     let links: BTreeMap<&str, &str> = readme.lines().filter_map(definition).collect();
     assert!(links.contains_key("picture") && links.contains_key("reference"));
     for (label, target) in links {
-        let is_module = source.contains(&format!("\"[{label}]: crate::"));
+        let module = target.strip_prefix("docs/").unwrap_or_default().replace(".md", "").replace('/', "::");
+        let module = format!("doc = \"[{label}]: crate::{module}\"");
         let online = format!(
-            "concat!(\"[{label}]: https://docs.rs/crate/cga/\", env!(\"CARGO_PKG_VERSION\"), \"/source/{target}\")"
+            "concat!(\"[{label}]: <https://docs.rs/crate/cga/\", env!(\"CARGO_PKG_VERSION\"), \"/source/{target}>\")"
         );
-        let local = format!("doc = \"[{label}]: ../../../{target}\"");
-        assert!(is_module || (source.contains(&online) && source.contains(&local)), "src/lib.rs: [{label}]: {target}");
+        let local = format!("concat!(\"[{label}]: <file://\", env!(\"CARGO_MANIFEST_DIR\"), \"/{target}>\")");
+        let is_file = source.contains(&online) && source.contains(&local);
+        assert!(source.contains(&module) || is_file, "src/lib.rs: [{label}]: {target}");
     }
     // Links without a label would stay relative, and lead nowhere on docs.rs.
     let inline = prose(&readme).join("\n");
@@ -132,5 +134,27 @@ fn code_of_the_readme_can_be_copied() {
                 assert!(line != "#" && !line.starts_with("# "), "package pages show hidden lines: {line}");
             }
         }
+    }
+}
+
+/// The pages of the guide are modules, in which definitions of `src/guide.rs` replace the ones at the end of each page.
+#[test]
+fn the_docs_of_the_crate_replace_each_link_of_the_guide() {
+    let source = fs::read_to_string(root().join("src/guide.rs")).expect("the guide");
+    let pages: Vec<PathBuf> = pages().into_iter().filter(|path| path.starts_with(root().join("docs/guide"))).collect();
+    assert!(9 < pages.len());
+    for page in pages {
+        let text = fs::read_to_string(&page).expect("text");
+        let name = page.file_stem().expect("a name").to_string_lossy().into_owned();
+        assert!(source.contains(&format!("page!({name}, \"../docs/guide/{name}.md\");")), "{name} is a module");
+        for (label, target) in text.lines().filter_map(definition) {
+            let from_docs = target.strip_prefix("../").map_or_else(|| format!("guide/{target}"), str::to_owned);
+            let module = format!("\"[{label}]: crate::{}\"", from_docs.replace(".md", "").replace('/', "::"));
+            let file = format!("concat!(\"[{label}]: \", file!(\"docs/{from_docs}\"))");
+            assert!(source.contains(&module) || source.contains(&file), "src/guide.rs: {name}: [{label}]: {target}");
+        }
+        let inline = prose(&text).join("\n");
+        let relative = inline.split("](").skip(1).find(|rest| !rest.starts_with("http") && !rest.starts_with('#'));
+        assert_eq!(relative.and_then(|rest| rest.split(')').next()), None, "{name}: a link without a label");
     }
 }

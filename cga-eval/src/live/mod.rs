@@ -31,9 +31,8 @@ const MOST_LOADS: usize = 4;
 ///
 /// ```no_run
 /// # fn run<Tower: cga_runtime::grammar::Grammar + Clone + Default + Send + Sync + 'static>() -> Result<(), Box<dyn std::error::Error>> {
-/// use cga_eval::Live;
-/// use cga_runtime::grammar::Grammar;
-/// use cga_runtime::shape::Shape;
+/// # use cga_eval::facade as cga;
+/// use cga::{Grammar, Live, Shape};
 ///
 /// // `cga! { pub grammar Tower; Lot --> … }`
 /// let mut tower = Live::new(Tower::default())?;

@@ -16,7 +16,9 @@ use crate::trace::UNTRACED;
 /// Takes points and faces and makes a checked [`Mesh`].
 ///
 /// ```
-/// use cga_geometry::mesh::{FaceTag, MeshBuilder};
+/// # mod cga { pub use cga_geometry::mesh; pub use cga_geometry::mesh::MeshBuilder; }
+/// use cga::MeshBuilder;
+/// use cga::mesh::FaceTag;
 ///
 /// let mut builder = MeshBuilder::new();
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 0.0, -1.0]].map(|p| builder.point(p));
@@ -50,7 +52,8 @@ impl MeshBuilder {
     /// Adds a face without holes, tags and material: its corners, counter-clockwise as seen from outside.
     ///
     /// ```
-    /// use cga_geometry::mesh::MeshBuilder;
+    /// # mod cga { pub use cga_geometry::mesh::MeshBuilder; }
+    /// use cga::MeshBuilder;
     ///
     /// let mut builder = MeshBuilder::new();
     /// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]].map(|corner| builder.point(corner));

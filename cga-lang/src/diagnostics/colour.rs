@@ -8,6 +8,7 @@ use crate::diag::{Diags, Level};
 use crate::dialect::Dialect;
 use crate::link::Program;
 use crate::ops::{Param, ParamKind};
+use crate::resolve::habits;
 use crate::syntax::ast::{Expr, ExprKind};
 
 /// Checks the arguments of an operation or function.
@@ -63,7 +64,10 @@ pub(crate) fn text(program: &Program, value: &Expr, diags: &mut Diags) {
         3 if hex => {
             diag.help(format!("write \"#{}\"", digits.chars().flat_map(|digit| [digit; 2]).collect::<String>()))
         }
-        _ => diag.help("write something like \"#ff8000\""),
+        _ => match habits::colour(text) {
+            Some(hex) => diag.help(format!("write \"{hex}\"")),
+            None => diag.help("write something like \"#ff8000\""),
+        },
     };
 }
 

@@ -6,7 +6,7 @@ pub(crate) mod context;
 pub(crate) mod cycles;
 pub(crate) mod duplicates;
 pub(crate) mod globals;
-mod habits;
+pub(crate) mod habits;
 pub(crate) mod info;
 pub(crate) mod names;
 pub(crate) mod overrides;

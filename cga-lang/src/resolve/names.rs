@@ -212,6 +212,10 @@ impl<'a> Resolver<'_, 'a, '_> {
         let truth = ["true", "false"].into_iter().find(|word| text.eq_ignore_ascii_case(word)).map(str::to_owned);
         let is_text = help.is_some();
         let help = help.or_else(|| habits::value(text).map(|value| format!("write `{value}`"))).or_else(|| {
+            let full = format!("scope.{text}");
+            ops::shape_attr(&full).map(|_| format!("did you mean `{full}`?"))
+        });
+        let help = help.or_else(|| {
             let [size, place] = habits::size_or_place(text)?;
             Some(format!("write `{size}` for the size, or `{place}` for the position"))
         });

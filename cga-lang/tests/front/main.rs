@@ -9,6 +9,7 @@ mod lex;
 mod link;
 mod link_laws;
 mod lower;
+mod mistakes;
 mod ops;
 mod parse;
 mod plan;

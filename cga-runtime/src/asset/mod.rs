@@ -259,17 +259,18 @@ impl Assets {
             if !self.store.is_set() {
                 continue;
             }
-            match self.store.find(&place) {
+            let error = match self.store.find(&place) {
                 Ok(found) => return Ok((place, FoundAsset::File(found))),
-                Err(error)
-                    if is_missing(&error)
-                        && let Some(image) = self.embedded(&place) =>
-                {
-                    return Ok((place, image));
-                }
-                // "Not found" is reported only if all places give it; any other error takes precedence.
-                Err(error) if why.as_ref().is_none_or(is_missing) => why = Some(error),
-                Err(_) => {}
+                Err(error) => error,
+            };
+            if is_missing(&error)
+                && let Some(image) = self.embedded(&place)
+            {
+                return Ok((place, image));
+            }
+            // "Not found" is reported only if all places give it; any other error takes precedence.
+            if why.as_ref().is_none_or(is_missing) {
+                why = Some(error);
             }
         }
         Err(why.unwrap_or(AssetError::NoFolder))

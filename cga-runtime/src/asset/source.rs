@@ -12,7 +12,8 @@ use std::collections::BTreeMap;
 /// Maps and lists of names and bytes are sources:
 ///
 /// ```
-/// use cga_runtime::asset::Assets;
+/// # use cga_runtime::facade as cga;
+/// use cga::Assets;
 ///
 /// let triangle = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 /// let assets = Assets::from_source([("signs/triangle.obj", triangle.as_slice())]);

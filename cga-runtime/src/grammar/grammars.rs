@@ -25,10 +25,8 @@ use crate::value::text::Text;
 ///
 /// ```
 /// # // Rules are compiled by the crate `cga`; its tests run an example.
-/// # use cga_runtime as cga;
-/// use cga::fault::Error;
-/// use cga::grammar::grammars::Grammars;
-/// use cga::shape::Shape;
+/// # use cga_runtime::facade as cga;
+/// use cga::{Error, Grammars, Shape};
 ///
 /// let lot = Shape::rectangle(20.0, 15.0).named("Mill Street 4").grammar("House");
 /// let error = Grammars::new().generate(&lot).unwrap_err();

@@ -126,9 +126,9 @@ impl Model {
     /// The model as triangle meshes. Assets that rules insert at several places become one mesh with a list of places.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::output::meshes::Granularity;
-    /// use cga::output::model::Model;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::meshes::Granularity;
+    /// use cga::Model;
     ///
     /// fn draw_calls(model: &Model) -> usize {
     ///     let meshes = model.meshes(Granularity::Material);

@@ -182,7 +182,8 @@ impl Model {
     /// has none.
     ///
     /// ```
-    /// use cga_runtime::output::model::Model;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Model;
     ///
     /// let (mut scene, house) = (Model::new(), Model::new());
     /// scene.append(&house);
@@ -200,7 +201,8 @@ impl Model {
     /// The initial shapes whose leaves it has, in order, each with the range of its leaves in [`Model::leaves`]. The model of a run has one.
     ///
     /// ```
-    /// use cga_runtime::output::model::Model;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Model;
     ///
     /// # let model = Model::new();
     /// for (building, leaves) in model.buildings() {
@@ -220,7 +222,8 @@ impl Model {
     /// faces are there for them: the points of `scatter` and `comp(v)`, the edges of `comp(e)`.
     ///
     /// ```
-    /// use cga_runtime::output::model::Model;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Model;
     ///
     /// # let model = Model::new();
     /// for scope in model.placements("Lamp") {

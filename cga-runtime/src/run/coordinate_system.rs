@@ -10,9 +10,9 @@ use glam::DVec3;
 /// thread.
 ///
 /// ```
-/// # use cga_runtime as cga;
+/// # use cga_runtime::facade as cga;
 /// use cga::glam::DVec3;
-/// use cga::run::coordinate_system::CoordinateSystem;
+/// use cga::CoordinateSystem;
 ///
 /// /// A plan in feet whose origin is at (1000, 2000), 40 m above the sea.
 /// #[derive(Debug)]

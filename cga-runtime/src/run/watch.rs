@@ -35,8 +35,8 @@ pub struct Progress {
 /// for parallel runs.
 ///
 /// ```
-/// use cga_runtime::run::settings::Settings;
-/// use cga_runtime::run::watch::Watch;
+/// # use cga_runtime::facade as cga;
+/// use cga::{Settings, Watch};
 ///
 /// let watch = Watch::new();
 /// let settings = Settings { watch: Some(watch.clone()), ..Settings::default() };
@@ -88,7 +88,8 @@ impl Watch {
     /// ```
     /// use std::ops::ControlFlow;
     ///
-    /// use cga_runtime::run::watch::Watch;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Watch;
     ///
     /// let watch = Watch::every(1_000_000, |progress| {
     ///     eprintln!("{} lots, {} parts", progress.initial_shapes, progress.leaves);
@@ -112,7 +113,8 @@ impl Watch {
     /// ```
     /// use std::time::Duration;
     ///
-    /// use cga_runtime::run::watch::Watch;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Watch;
     ///
     /// let watch = Watch::deadline(Duration::from_secs(5));
     /// assert!(!watch.is_stopped());
@@ -132,7 +134,8 @@ impl Watch {
     /// use std::sync::atomic::{AtomicU64, Ordering};
     /// use std::time::Duration;
     ///
-    /// use cga_runtime::run::watch::Watch;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Watch;
     ///
     /// let frame = Arc::new(AtomicU64::new(0));
     /// let clock = frame.clone();

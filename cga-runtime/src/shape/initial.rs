@@ -116,9 +116,9 @@ impl Shape {
     /// [`Shape::mesh_axis_aligned`] for solids that are upright in the world.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::geometry::mesh::{FaceTag, MeshBuilder};
-    /// use cga::shape::Shape;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::mesh::FaceTag;
+    /// use cga::{MeshBuilder, Shape};
     ///
     /// // A wall 4 m long and 3 m high that runs along the world's z axis.
     /// let mut builder = MeshBuilder::new();
@@ -206,8 +206,8 @@ impl Shape {
     /// tags of it with `setTagsFromEdgeAttrs`. Edges beyond the end of the list have no value.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::shape::Shape;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Shape;
     ///
     /// let lot = Shape::rectangle(20.0, 15.0).edge_attribute("use", ["street", "garden", "garden", "path"]);
     /// ```

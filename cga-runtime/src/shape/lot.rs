@@ -36,8 +36,8 @@ impl Shape {
     /// [`Settings::wrong_lots`](crate::run::settings::Settings::wrong_lots) decides what a wrong one leads to.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::shape::Shape;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Shape;
     ///
     /// let lot = Shape::rectangle(20.0, 15.0).named("Mill Street 4").attribute("height", 12.5).attribute("use", "shop");
     /// assert_eq!(lot.attributes().map(|(name, _)| name).collect::<Vec<_>>(), ["height", "use"]);

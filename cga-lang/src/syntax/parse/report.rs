@@ -126,6 +126,13 @@ impl Parser<'_> {
             Tok::Sym(Sym::Star) if before.is_some_and(|token| token.is(Sym::Star)) => {
                 "a power is `pow(base, exponent)`".into()
             }
+            Tok::Sym(Sym::Plus) if step && before.is_some_and(|token| token.is(Sym::RBrace)) => {
+                "a repeat ends with `}*`: write `}*` for `}+`".into()
+            }
+            Tok::Sym(Sym::Tilde) if self.nth_is(1, Sym::Colon) => match before {
+                Some(Tok::Number(value)) => format!("write `~{value}`"),
+                _ => "the `~` comes before the size".into(),
+            },
             Tok::Sym(Sym::Star) if step => "`*` comes after the `}` of the repeated slots".into(),
             _ => return None,
         })

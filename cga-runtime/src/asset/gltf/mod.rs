@@ -81,7 +81,8 @@ const KNOWN: [&str; 9] = [
 /// 1,000 positions in any file. The places of meshes are at most 65,536 and 1 for each byte of the buffers.
 ///
 /// ```
-/// use cga_runtime::asset::gltf::read_gltf;
+/// # use cga_runtime::facade as cga;
+/// use cga::mesh::read_gltf;
 ///
 /// let text = br#"{
 ///     "asset": {"version": "2.0"},

@@ -28,7 +28,8 @@ impl Stretch {
     /// The number of stretches for a number of shapes.
     ///
     /// ```
-    /// use cga_runtime::grammar::parallel::Stretch;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::Stretch;
     ///
     /// assert_eq!([0, 1, 100, 1000, 100_000].map(Stretch::count), [0, 1, 100, 250, 256]);
     /// ```

@@ -44,11 +44,8 @@ use crate::shape::Shape;
 ///
 /// ```
 /// # // Rules are compiled by the crate `cga`; its tests run an example.
-/// # use cga_runtime as cga;
-/// use cga::grammar::grammars::Grammars;
-/// use cga::grammar::scene::Scene;
-/// use cga::run::settings::Settings;
-/// use cga::shape::Shape;
+/// # use cga_runtime::facade as cga;
+/// use cga::{Grammars, Scene, Settings, Shape};
 ///
 /// let (grammars, lots) = (Grammars::new(), [Shape::rectangle(10.0, 8.0), Shape::rectangle(12.0, 8.0).at([10.0, 0.0, 0.0])]);
 /// let scene = Scene::of_grammars(&grammars, &lots).occlusion_distance(0.5);

@@ -37,7 +37,8 @@ const MOST: usize = u32::MAX as usize / 2;
 ///
 /// ```
 /// use std::io::Write;
-/// use cga_runtime::output::buffers::{Buffers, Chunks};
+/// # use cga_runtime::facade as cga;
+/// use cga::sink::buffers::{Buffers, Chunks};
 ///
 /// let (mut triangles, mut list) = (0, Vec::new());
 /// let chunks = Chunks::new(10_000, |chunk: &Buffers| {

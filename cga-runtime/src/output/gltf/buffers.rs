@@ -21,8 +21,9 @@ impl Glb {
     /// some of the buffers' vertices use, the others have (0, 0).
     ///
     /// ```
-    /// use cga_runtime::output::buffers::Buffers;
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
+    /// use cga::sink::buffers::Buffers;
     ///
     /// let list = [Buffers::new(), Buffers::new()];
     /// let mut glb = Glb::new();
@@ -86,7 +87,8 @@ impl Buffers {
     /// Writes the buffers as a GLB file: a chunk of a stream, for example.
     ///
     /// ```no_run
-    /// use cga_runtime::output::buffers::{Buffers, Chunks};
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::buffers::{Buffers, Chunks};
     ///
     /// let mut number = 0;
     /// let chunks = Chunks::new(1_000_000, |chunk: &Buffers| {

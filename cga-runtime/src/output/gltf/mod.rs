@@ -143,7 +143,8 @@ impl Glb {
     /// single leaves.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let glb = Glb::new().with_instances();
     /// // … `grammar.run(&shape, &settings, &mut glb)?`, then:
@@ -187,7 +188,8 @@ impl Glb {
     /// size in metres as the member `size` of `extras`. Without it the file has leaves with faces alone.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let glb = Glb::new().with_placements();
     /// # let _ = glb;
@@ -201,7 +203,8 @@ impl Glb {
     /// seed. A value that is not finite is written as null.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let glb = Glb::new().named("Tower").by_rule().with_extra("height", 24.0);
     /// # let _ = glb;
@@ -216,7 +219,8 @@ impl Glb {
     /// files can stop when one is full.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// assert_eq!(Glb::new().size(), 0);
     /// ```
@@ -237,7 +241,8 @@ impl Glb {
     /// Writes the completed file in blocks, without a copy of it in memory, and flushes `out`.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let mut bytes = Vec::new();
     /// Glb::new().write_to(&mut bytes).unwrap(); // or a socket, or an entry of an archive

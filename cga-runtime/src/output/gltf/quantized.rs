@@ -33,7 +33,8 @@ impl Glb {
     /// [`by_building`](Glb::by_building). The step of the grid is a power of two, and the grid contains the origin of the file.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let glb = Glb::new().with_quantization(0.01);
     /// # let _ = glb;
@@ -46,7 +47,8 @@ impl Glb {
     /// Leaves out the number of the rule of each vertex, and the table with the names of the rules. Buildings keep their numbers.
     ///
     /// ```
-    /// use cga_runtime::output::gltf::Glb;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::gltf::Glb;
     ///
     /// let glb = Glb::new().without_rules();
     /// # let _ = glb;

@@ -1,8 +1,9 @@
 //! Pictures of models, drawn without a graphics card.
 //!
 //! ```no_run
-//! # use cga_runtime::output::model::Model;
-//! use cga_runtime::output::picture::Picture;
+//! # use cga_runtime::facade as cga;
+//! # use cga::Model;
+//! use cga::sink::picture::Picture;
 //! # let model = Model::new();
 //! let image = Picture::new(1200, 900).looking_from(40.0, 15.0).render(&model);
 //! println!("{} pixels", image.rgba.len() / 4);
@@ -102,9 +103,9 @@ impl Picture {
     /// [`LeafView::node`](crate::output::model::LeafView::node) its rules.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::output::model::Model;
-    /// use cga::output::picture::Picture;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::sink::picture::Picture;
+    /// use cga::Model;
     ///
     /// fn picked(model: &Model, [x, y]: [usize; 2]) -> Option<&str> {
     ///     let leaf = Picture::new(800, 600).leaves(model)[y * 800 + x]?;

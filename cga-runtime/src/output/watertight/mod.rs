@@ -41,15 +41,12 @@ use crate::run::watch::Watch;
 /// [`Model::watertight`](crate::output::model::Model::watertight) does the same for a model.
 ///
 /// ```
-/// # use cga_runtime as cga;
-/// use cga::output::model::Model;
-/// use cga::output::watertight::Watertight;
-/// use cga::run::sink::{Leaf, Quad, Sink};
-/// use cga::value::text::Text;
+/// # use cga_runtime::facade as cga;
+/// use cga::sink::watertight::Watertight;
+/// use cga::{Leaf, Model, Quad, Sink, Text};
 /// # use std::sync::Arc;
 /// # use cga::glam::DVec3;
-/// # use cga::material::Material;
-/// # use cga::shape::scope::Scope;
+/// # use cga::{Material, Scope};
 /// # let (material, scope) = (Arc::new(Material::default()), Scope { origin: DVec3::ZERO, axes: cga::glam::DMat3::IDENTITY, size: DVec3::ONE });
 /// let name = Text::fixed("Wall");
 /// let leaf = Leaf::new(&name, &material, &scope);

@@ -15,8 +15,8 @@ impl Report {
     /// once, such as a missing file, is kept once for all runs, with a count.
     ///
     /// ```
-    /// use cga_runtime::run::report::Report;
-    /// use cga_runtime::run::settings::Limits;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::{Limits, Report};
     ///
     /// let (mut sum, mut next) = (Report::default(), Report::default());
     /// (sum.leaves, next.leaves) = (3, 4);

@@ -22,8 +22,8 @@ use crate::value::text::Text;
 /// It is displayed with a line for each shape, indented below its parent:
 ///
 /// ```
-/// # use cga_runtime as cga;
-/// # use cga::output::model::Model;
+/// # use cga_runtime::facade as cga;
+/// # use cga::Model;
 /// # let model = Model::new();
 /// for (building, leaves) in model.buildings() {
 ///     let Some(tree) = &building.tree else { continue };

@@ -250,14 +250,13 @@ pub trait Sink {
     /// not made.
     ///
     /// ```
-    /// # use cga_runtime as cga;
-    /// use cga::run::building::Building;
-    /// use cga::run::sink::Sink;
+    /// # use cga_runtime::facade as cga;
+    /// use cga::{Building, Sink};
     /// # fn names(sink: &mut dyn Sink) {
     /// sink.begin_building("Mill Street 4", 7);
     /// sink.end_building(&|| Building::new("Mill Street 4", 7));
     /// # }
-    /// # names(&mut cga::output::model::Model::new());
+    /// # names(&mut cga::Model::new());
     /// ```
     fn end_building(&mut self, _building: &dyn Fn() -> Building) {}
 

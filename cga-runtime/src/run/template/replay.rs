@@ -19,9 +19,10 @@ use crate::shape::axes::Axes;
 /// use std::collections::HashMap;
 /// use std::sync::Arc;
 ///
-/// use cga_runtime::geometry::mesh::Mesh;
-/// use cga_runtime::output::buffers::Buffers;
-/// use cga_runtime::run::sink::{Filled, Flow, Leaf, PartId, Replay, Sink};
+/// # use cga_runtime::facade as cga;
+/// use cga::sink::buffers::Buffers;
+/// use cga::sink::{Filled, PartId, Replay};
+/// use cga::{Flow, Leaf, Mesh, Sink};
 /// use glam::DAffine3;
 ///
 /// /// Meshes with their places, and everything that does not repeat.

@@ -1,0 +1,124 @@
+//! The tutorial as a reader follows it: each step's rules are put into the program of the step before.
+
+use std::fmt::Write;
+use std::fs;
+
+use cga::{Assets, Settings};
+
+use crate::guide;
+use crate::tree::root;
+
+/// The steps that change rules between the braces of `cga!`.
+pub const INLINE: usize = 10;
+
+/// The program after a step.
+#[derive(Clone, Debug, Default)]
+pub struct Step {
+    /// The number of the step, from 1 on.
+    pub number: usize,
+    /// The text of the step.
+    pub text: String,
+    /// The rules, attributes and constants, in the order in which a reader has them.
+    pub rules: Vec<Declaration>,
+    /// The `use` lines.
+    uses: String,
+    /// The function `main`.
+    main: String,
+}
+
+/// A rule, attribute or constant with its annotations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Declaration {
+    pub name: String,
+    pub lines: Vec<String>,
+}
+
+impl Step {
+    /// The whole file `src/main.rs`.
+    pub fn program(&self) -> String {
+        let mut rules = String::new();
+        for line in self.rules.iter().flat_map(|declaration| &declaration.lines) {
+            let _ = writeln!(rules, "{line}");
+        }
+        format!("{}\ncga! {{\n    pub grammar House;\n\n{rules}}}\n\n{}", self.uses, self.main)
+    }
+}
+
+/// The bytes of a step's picture, drawn again.
+///
+/// # Panics
+/// If the run fails.
+pub fn picture(step: usize) -> Vec<u8> {
+    let assets = Assets::below(root().join("docs/guide")).into();
+    let model = guide::model(step, &Settings { assets, ..Settings::default() }).expect("a model");
+    assert_eq!(model.faults(), []);
+    let mut png = Vec::new();
+    guide::picture(step).render(&model).write_indexed_png_to(&mut png).expect("a picture");
+    png
+}
+
+/// The text of the tutorial.
+pub fn text() -> String {
+    fs::read_to_string(root().join("docs/guide/tutorial.md")).expect("the tutorial")
+}
+
+/// The blocks of Rust in a text.
+pub fn blocks(text: &str) -> Vec<&str> {
+    let block = |rest: &'_ str| -> Option<usize> { rest.find("\n```") };
+    let mut list = Vec::new();
+    for rest in text.split("\n```rust").skip(1) {
+        let start = rest.find('\n').expect("a block") + 1;
+        let end = start + block(&rest[start..]).expect("an end") + 1;
+        list.push(&rest[start..end]);
+    }
+    list
+}
+
+/// The declarations of rules that are indented as between the braces of `cga!`.
+pub fn declarations(rules: &str) -> Vec<Declaration> {
+    let mut list: Vec<Declaration> = Vec::new();
+    let mut before = Vec::new();
+    for line in rules.lines().filter(|line| !line.trim().is_empty()) {
+        let own = line.strip_prefix("    ").expect("an indented line");
+        if own.starts_with(' ') {
+            list.last_mut().expect("a declaration").lines.push(line.into());
+        } else if own.starts_with("///") || own.starts_with('@') {
+            before.push(line.into());
+        } else {
+            let words = own.trim_start_matches("attr ").trim_start_matches("const ");
+            let name = words.split([' ', '(']).next().unwrap_or_default().to_owned();
+            before.push(line.into());
+            list.push(Declaration { name, lines: std::mem::take(&mut before) });
+        }
+    }
+    list
+}
+
+/// Steps 1 to [`INLINE`].
+///
+/// # Panics
+/// If the tutorial has another form.
+pub fn steps() -> Vec<Step> {
+    let text = text();
+    let mut parts = text.split("\n## ");
+    let first = blocks(parts.next().expect("a beginning"))[0].to_owned();
+    let (uses, rest) = first.split_once("\ncga! {\n").expect("a grammar");
+    let (_, main) = rest.split_once("\n}\n\n").expect("a main");
+    let mut step = Step { uses: uses.into(), main: main.into(), ..Step::default() };
+    let mut steps = Vec::new();
+    for (number, part) in (1..=INLINE).zip(parts) {
+        (step.number, step.text) = (number, part.into());
+        let blocks = blocks(part);
+        for new in declarations(blocks[0]) {
+            match step.rules.iter_mut().find(|old| old.name == new.name) {
+                Some(old) => *old = new,
+                None => step.rules.push(new),
+            }
+        }
+        if let Some((uses, main)) = blocks.get(1).and_then(|block| block.split_once("\n\nfn main")) {
+            (step.uses, step.main) = (format!("{uses}\n"), format!("fn main{main}"));
+        }
+        steps.push(step.clone());
+    }
+    steps
+}
