@@ -24,7 +24,7 @@ use cga_geo::frame::Frame;
 use cga_geo::survey::Survey;
 use datafusion::arrow::array::{
     Array, ArrayRef, AsArray, LargeBinaryArray, LargeBinaryBuilder, LargeListArray, ListArray, StringArray,
-    StringBuilder, StructArray, UInt32Array, UInt64Array,
+    StringBuilder, StructArray, UInt32Array, UInt64Array, new_empty_array,
 };
 use datafusion::arrow::buffer::OffsetBuffer;
 use datafusion::arrow::compute::cast;
@@ -128,6 +128,9 @@ impl ScalarUDFImpl for Function {
     }
 
     fn invoke_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
+        if args.number_rows == 0 {
+            return Ok(ColumnarValue::Array(new_empty_array(&(self.kind)())));
+        }
         let mut columns = args.args;
         // The address is the same in all rows.
         if let Some(ColumnarValue::Scalar(first)) = columns.first() {
@@ -148,6 +151,9 @@ impl AsyncScalarUDFImpl for Function {
     }
 
     async fn invoke_async_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
+        if args.number_rows == 0 {
+            return Ok(ColumnarValue::Array(new_empty_array(&(self.kind)())));
+        }
         let columns = ColumnarValue::values_to_arrays(&args.args)?;
         let body = self.body.clone();
         let made = tokio::task::spawn_blocking(move || body(&columns)).await;

@@ -2,7 +2,7 @@
 //!
 //! ```toml
 //! store = "s3://bucket/city"              # or a folder
-//! lots = ["s3://maps/lots/*.parquet"]     # files and folders of GeoParquet
+//! lots = ["s3://maps/lots/"]              # files and folders of GeoParquet
 //! rules = ["house.cga"]
 //! lod = ["Block@8"]
 //! set = { slope = 40 }
@@ -28,7 +28,7 @@ use crate::work::{RuleTexts, Work};
 pub struct Job {
     /// The folder or the address of the tiles.
     pub store: String,
-    /// Files and folders of GeoParquet, or their addresses; `*` is any text.
+    /// Files `.parquet` and folders of them, or their addresses; the address of a folder ends with `/`.
     pub lots: Vec<String>,
     /// The rule files. The first has all lots that name none in the column `grammar_column`.
     pub rules: Vec<PathBuf>,
@@ -113,10 +113,13 @@ impl Job {
             }
         };
         let text = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let mut options = Options::default();
-        options.levels = self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?;
-        options.lots_per_tile = self.tile_lots.unwrap_or(options.lots_per_tile);
-        options.most_bytes = self.tile_size.map_or(options.most_bytes, |size| size << 10);
+        let usual = Options::default();
+        let options = Options {
+            levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
+            lots_per_tile: self.tile_lots.unwrap_or(usual.lots_per_tile).max(1),
+            most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size << 10),
+            ..usual
+        };
         Ok(Work {
             rules: self.rules.iter().map(rules).collect::<Result<_, String>>()?,
             assets: self.assets.clone(),
@@ -139,9 +142,9 @@ fn address(folder: &Path, path: &str) -> Result<String, String> {
     if path.contains("://") {
         return Ok(path.to_owned());
     }
-    let url = Url::from_file_path(folder.join(path)).map_err(|()| format!("`{path}` is not a path"))?;
-    // `*` stays a sign for any text.
-    Ok(url.to_string())
+    let whole = folder.join(path);
+    let url = if whole.is_dir() { Url::from_directory_path(whole) } else { Url::from_file_path(whole) };
+    url.map(String::from).map_err(|()| format!("`{path}` is not a path"))
 }
 
 #[cfg(test)]
@@ -154,12 +157,12 @@ mod tests {
         let path = folder.path().join("job.toml");
         let rules = "attr slope = 30  attr kind = \"home\"  @StartRule Lot --> extrude(9) X.";
         std::fs::write(folder.path().join("house.cga"), rules).expect("room");
-        let text = "store = \"out\"\nlots = [\"lots/*.parquet\", \"s3://maps/a.parquet\"]\nrules = [\"house.cga\"]\n\
+        let text = "store = \"out\"\nlots = [\"lots.parquet\", \"s3://maps/a.parquet\"]\nrules = [\"house.cga\"]\n\
                     set = { slope = 40, kind = \"shop\" }\nlod = [\"slope=0@9\"]";
         std::fs::write(&path, text).expect("room");
         let job = Job::open(&path).expect("right");
         assert!(job.store.starts_with("file:///") && job.store.ends_with("/out"), "{}", job.store);
-        assert!(job.lots[0].ends_with("/lots/*.parquet") && job.lots[1] == "s3://maps/a.parquet");
+        assert!(job.lots[0].ends_with("/lots.parquet") && job.lots[1] == "s3://maps/a.parquet");
         let work = job.work(&FileCrs::Epsg(25832)).expect("right");
         let values = [("kind", "shop"), ("slope", "40")].map(|(name, value)| (name.to_owned(), value.to_owned()));
         assert_eq!((work.values.as_slice(), work.crs, work.options.levels.len()), (&values[..], 25832, 1));

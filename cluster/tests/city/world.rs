@@ -55,7 +55,7 @@ impl World {
 
     /// Writes the file of the job.
     pub(crate) fn write_job(&self, store: &str, choices: &str) {
-        let text = format!("store = \"{store}\"\nlots = [\"lots/*.parquet\"]\nrules = [\"house.cga\"]\n{choices}");
+        let text = format!("store = \"{store}\"\nlots = [\"lots\"]\nrules = [\"house.cga\"]\n{choices}");
         std::fs::write(self.path("job.toml"), text).expect("room");
     }
 
