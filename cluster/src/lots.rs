@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use cga_geo::reader::geoparquet::Geometry;
 use cga_geo::survey::Columns;
+use datafusion::datasource::file_format::FileFormat as _;
 use datafusion::datasource::file_format::parquet::ParquetFormat;
 use datafusion::datasource::listing::{ListingOptions, ListingTable, ListingTableConfig, ListingTableUrl};
 use datafusion::error::Result;
-use datafusion::parquet::arrow::async_reader::{AsyncFileReader as _, ParquetObjectReader};
 use datafusion::prelude::SessionContext;
 use futures::{StreamExt as _, TryStreamExt as _};
 use object_store::ObjectMeta;
@@ -92,13 +92,12 @@ async fn geometries(context: &SessionContext, url: &ListingTableUrl) -> Result<V
     let state = context.state();
     let store = context.runtime_env().object_store(url)?;
     let files: Vec<ObjectMeta> = url.list_all_files(&state, &*store, ".parquet").await?.try_collect().await?;
+    let format = ParquetFormat::default().with_skip_metadata(false);
     let read = |file: ObjectMeta| {
-        let mut reader = ParquetObjectReader::new(store.clone(), file.location.clone()).with_file_size(file.size);
+        let (format, state, store) = (&format, &state, &store);
         async move {
-            let metadata = reader.get_metadata(None).await?;
-            let entries = metadata.file_metadata().key_value_metadata().into_iter().flatten();
-            let geo = entries.filter(|entry| entry.key == "geo").find_map(|entry| entry.value.clone());
-            Ok((file.location.to_string(), geo))
+            let schema = format.infer_schema(state, store, std::slice::from_ref(&file)).await?;
+            Ok((file.location.to_string(), schema.metadata().get("geo").cloned()))
         }
     };
     futures::stream::iter(files).map(read).buffered(16).try_collect().await

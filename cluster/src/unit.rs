@@ -7,7 +7,7 @@ use cga_city::lots::Sorter;
 use cga_city::problems::Problems;
 use cga_city::store::Store as _;
 use cga_city::tally::Tally;
-use cga_city::tree::{Block, Trees, block_lots};
+use cga_city::tree::{Block, TileEvent, Trees, block_lots};
 use cga_geo::footprint::Footprint;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Serialize};
@@ -82,7 +82,7 @@ pub fn make_unit<'b>(
         ));
     }
     let tally = Mutex::new(Tally::new(work.levels.len()));
-    let each = |event: &_| {
+    let each = |event: &TileEvent<'_>| {
         tally.lock().unwrap_or_else(PoisonError::into_inner).add(event);
         Ok(())
     };
