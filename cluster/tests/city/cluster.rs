@@ -172,16 +172,16 @@ fn a_job_is_submitted_again_after_its_client_and_scheduler_were_killed() {
     [one, two].into_iter().for_each(Process::kill);
     assert!(!world.path("out/tileset.json").exists(), "the job was too fast");
     let finished = units(&world.path("out/units"));
-    assert!(!finished.is_empty() && finished.len() < 12, "{finished:?}");
+    assert!(!finished.is_empty(), "no unit was finished");
 
     let _scheduler = cluster.scheduler();
     let (_one, _two) = (cluster.executor("one"), cluster.executor("two"));
     assert!(cluster.submit().ended_well(), "{}", cluster.logs());
     assert_whole(&world, &expected);
     let after = units(&world.path("out/units"));
-    assert_eq!(after.len(), 12);
     assert!(finished.iter().all(|(name, time)| after[name] == *time), "finished units were made again");
     let said = fs::read_to_string(world.path("submit.log")).expect("a log");
-    let counts = format!("{} units made, {} kept", 12 - finished.len(), finished.len());
+    assert!(finished.len() < after.len());
+    let counts = format!("{} units made, {} kept", after.len() - finished.len(), finished.len());
     assert!(said.contains(&counts), "{said}");
 }

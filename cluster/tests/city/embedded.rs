@@ -102,7 +102,7 @@ async fn wrong_jobs_are_refused_with_a_reason() {
     for (choices, why) in [
         ("id = \"gid\"", "no file of lots has the column `gid`; their columns are id, height, floors, kind, geometry"),
         ("attributes = { floors = \"storeys\" }", "`storeys` is not an attribute of the rules"),
-        ("lod = [\"Blok\"]", "its start rules are Lot, Block"),
+        ("lod = [\"Blok\"]", "its start rules are Lot, "),
         ("set = { hight = 3 }", "hight"),
         ("crs = \"Gauss\"", "write `EPSG:25832`"),
     ] {

@@ -23,7 +23,7 @@ pub(crate) const RULES: &str = r##"
 "##;
 
 /// The choices of a job, beside lots, rules and store.
-pub(crate) const CHOICES: &str = "lod = [\"Block\"]\ntile_lots = 100\nunit_lots = 1500\nwave_size = 1\n";
+pub(crate) const CHOICES: &str = "lod = [\"Block\"]\ntile_lots = 100\nunit_lots = 300\nwave_size = 1\n";
 
 /// Files of lots, rules and a job in a folder of their own.
 pub(crate) struct World {
