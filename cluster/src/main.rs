@@ -172,7 +172,7 @@ async fn make(engine: &Engine, job: &Job, is_quiet: bool) -> Result<(), String> 
         "{lots} lots, {failed_rows} problems of rows, {lost} buildings lost, {notes} notes (all in `failures`); \
          {units_made} units made, {units_kept} kept, in {:.1} s; wrote `{}/tileset.json`",
         begun.elapsed().as_secs_f64(),
-        job.store
+        job.store.trim_end_matches('/')
     );
     Ok(())
 }

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant, SystemTime};
 use crate::world::{CHOICES, World, assert_equal, expected_failures, failures, files};
 
 /// A process that is killed at the end.
-struct Process(Child);
+pub(crate) struct Process(Child);
 
 impl Process {
     fn start(world: &World, log: &str, args: &[&str]) -> Self {
@@ -35,7 +35,7 @@ impl Process {
     }
 
     /// Waits for the end.
-    fn ended_well(&mut self) -> bool {
+    pub(crate) fn ended_well(&mut self) -> bool {
         let begun = Instant::now();
         loop {
             if let Some(status) = self.0.try_wait().expect("a status") {
@@ -66,19 +66,19 @@ fn port() -> u16 {
     }
 }
 
-struct Cluster<'w> {
+pub(crate) struct Cluster<'w> {
     world: &'w World,
     address: String,
     port: String,
 }
 
 impl<'w> Cluster<'w> {
-    fn new(world: &'w World) -> Self {
+    pub(crate) fn new(world: &'w World) -> Self {
         let port = port();
         Cluster { world, address: format!("127.0.0.1:{port}"), port: port.to_string() }
     }
 
-    fn scheduler(&self) -> Process {
+    pub(crate) fn scheduler(&self) -> Process {
         let scheduler = Process::start(self.world, "scheduler.log", &["scheduler", "--port", &self.port]);
         // Executors wait for it.
         while std::net::TcpStream::connect(&self.address).is_err() {
@@ -87,13 +87,13 @@ impl<'w> Cluster<'w> {
         scheduler
     }
 
-    fn executor(&self, name: &str) -> Process {
+    pub(crate) fn executor(&self, name: &str) -> Process {
         let (port, log) = (port().to_string(), format!("{name}.log"));
         let args = ["executor", "--scheduler", &self.address, "--port", &port, "--cores", "1", "--work-dir", name];
         Process::start(self.world, &log, &args)
     }
 
-    fn submit(&self) -> Process {
+    pub(crate) fn submit(&self) -> Process {
         Process::start(self.world, "submit.log", &["submit", "job.toml", "--scheduler", &self.address, "--quiet"])
     }
 
@@ -106,7 +106,7 @@ impl<'w> Cluster<'w> {
         }
     }
 
-    fn logs(&self) -> String {
+    pub(crate) fn logs(&self) -> String {
         let log = |name: &str| fs::read_to_string(self.world.path(name)).unwrap_or_default();
         ["submit.log", "scheduler.log", "one.log", "two.log"].map(|name| format!("{name}:\n{}", log(name))).join("\n")
     }

@@ -5,7 +5,17 @@ use std::collections::BTreeMap;
 use cga_city::store::Store as _;
 use cga_cluster::store::Objects;
 
+use crate::cluster::Cluster;
 use crate::world::{CHOICES, World, assert_equal, files};
+
+/// The files of a city in a store.
+fn found(address: &str) -> BTreeMap<String, Vec<u8>> {
+    let out = Objects::open(address).expect("a store");
+    let names = ["tiles", "sets"].map(|part| out.list(part).expect("a list")).concat();
+    let names: Vec<String> = names.into_iter().map(|(name, _)| name).chain(["tileset.json".to_owned()]).collect();
+    let contents = out.read_all(names.clone()).expect("files").into_iter().map(|bytes| bytes.expect("a file"));
+    names.into_iter().zip(contents).collect()
+}
 
 #[tokio::test(flavor = "multi_thread")]
 async fn an_s3_interface_has_the_same_tiles() {
@@ -19,19 +29,22 @@ async fn an_s3_interface_has_the_same_tiles() {
     for name in ["town-0.parquet", "town-1.parquet", "town-2.parquet"] {
         lots.write(name, std::fs::read(world.path("lots").join(name)).expect("lots")).expect("room");
     }
-    let text = format!("store = \"{run}/out\"\nlots = [\"{run}/lots/\"]\nrules = [\"house.cga\"]\n{CHOICES}");
-    std::fs::write(world.path("job.toml"), text).expect("room");
+    let write_job = |out: &str| {
+        let text = format!("store = \"{run}/{out}\"\nlots = [\"{run}/lots/\"]\nrules = [\"house.cga\"]\n{CHOICES}");
+        std::fs::write(world.path("job.toml"), text).expect("room");
+    };
+    write_job("out");
     let summary = world.run().await.expect("a city");
+    let expected = files(&world.expected());
+    assert_equal(&found(&format!("{run}/out")), &expected);
     let out = Objects::open(&format!("{run}/out")).expect("a store");
-    let mut found = BTreeMap::new();
-    for part in ["tiles", "sets"] {
-        let names: Vec<String> = out.list(part).expect("a list").into_iter().map(|(name, _)| name).collect();
-        let contents = out.read_all(names.clone()).expect("files");
-        found.extend(names.into_iter().zip(contents).map(|(name, bytes)| (name, bytes.expect("a file"))));
-    }
-    found.insert("tileset.json".to_owned(), out.read("tileset.json").expect("a store").expect("a file"));
-    assert_equal(&found, &files(&world.expected()));
     assert!(0 < summary.failed_rows && !out.list("failures/rows").expect("a list").is_empty());
     // Finished work is known there, too.
     assert_eq!(world.run().await.expect("a city").units_made, 0);
+
+    write_job("cluster");
+    let cluster = Cluster::new(&world);
+    let (_scheduler, _executor) = (cluster.scheduler(), cluster.executor("one"));
+    assert!(cluster.submit().ended_well(), "{}", cluster.logs());
+    assert_equal(&found(&format!("{run}/cluster")), &expected);
 }
