@@ -12,6 +12,7 @@
 mod progress_bar;
 mod town;
 
+use std::net::TcpStream;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread::available_parallelism;
@@ -134,6 +135,12 @@ async fn command(command: Command) -> Result<(), String> {
         }
         Command::Submit(options) => {
             let job = Job::open(&options.job)?;
+            TcpStream::connect(&options.scheduler).map_err(|why| {
+                format!(
+                    "no scheduler answers at `{}` ({why}); start one with `cga-cluster scheduler`",
+                    options.scheduler
+                )
+            })?;
             let address = format!("http://{}", options.scheduler);
             let engine = Engine::ballista(&address, job.partitions.unwrap_or(processors));
             make(&engine.map_err(|why| why.to_string())?, &job, options.quiet).await

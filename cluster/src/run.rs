@@ -21,6 +21,9 @@ use crate::store::Objects;
 use crate::unit::UnitFile;
 use crate::work::{LoadedWork, publish};
 
+/// The seconds from one look at the files of units to the next, and from one attempt to the next.
+const LOOK: u64 = 3;
+
 /// The file that marks an address as a city of this program.
 const MARK: &str = "cga-cluster.json";
 
@@ -72,6 +75,7 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     let lots = Lots::open(&engine.context, &job.lots).await?;
     let work = LoadedWork::new(job.work(&lots.geometry.crs)?, store.clone())?;
     check(&work)?;
+    work.rules.warnings().for_each(|warning| log::warn!("{warning}"));
     let name = publish(&store, &work.work)?;
     let address = |name: &str| format!("{}/{name}", job.store.trim_end_matches('/'));
     let names = work.work.columns.names(&work.rules.grammars());
@@ -139,6 +143,7 @@ impl Engine {
                 Err(why) if failures + 1 < self.attempts => {
                     failures += 1;
                     log::warn!("a query failed and is tried again: {why}");
+                    tokio::time::sleep(Duration::from_secs(LOOK)).await;
                 }
                 done => return done,
             }
@@ -217,7 +222,10 @@ async fn make(
         failures = if rest.len() < length { 0 } else { failures + 1 };
         match result {
             Err(why) if engine.attempts <= failures => return Err(why),
-            Err(why) if !rest.is_empty() => log::warn!("{} units are tried again: {why}", rest.len()),
+            Err(why) if !rest.is_empty() => {
+                log::warn!("{} units are tried again: {why}", rest.len());
+                tokio::time::sleep(Duration::from_secs(LOOK)).await;
+            }
             Ok(_) if !rest.is_empty() => {
                 return Err("the lots have changed since they were counted; start the job again".to_owned());
             }
@@ -235,9 +243,6 @@ fn unfinished(store: &Objects, plan: &Plan, units: Vec<usize>) -> Result<Vec<usi
         |(unit, file): &(usize, Option<Vec<u8>>)| UnitFile::finished(file.as_deref(), &plan.units[*unit]).is_none();
     Ok(units.into_iter().zip(files).filter(is_open).map(|(unit, _)| unit).collect())
 }
-
-/// The seconds from one look at the files of units to the next.
-const LOOK: u64 = 3;
 
 /// Waits for a query and looks at the files of its units, which any machine writes.
 async fn watched<T>(
