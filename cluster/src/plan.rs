@@ -1,7 +1,7 @@
 //! The units of a job: the parts of a city that are made by one call on one machine.
 //!
 //! `cga-city` cuts the curve of all lots into blocks by their numbers alone. A unit is a piece of that tree with one block or several whole ones,
-//! so the blocks of a unit, made from its lots alone, are those that `cga-city` makes.
+//! so a unit, made from its lots alone, has the same blocks.
 
 use std::sync::Arc;
 
