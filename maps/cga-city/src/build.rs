@@ -1,15 +1,14 @@
 //! A city from rows to the finished folder.
 
-use std::collections::HashSet;
 use std::fs::{self, File, TryLockError};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use cga_geo::frame::Frame;
 use cga_geo::plain::plain;
 use cga_geo::row::Row;
 use cga_geo::survey::Surveyor;
+use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use crate::cell::Cell;
@@ -18,12 +17,13 @@ use crate::level::Level;
 use crate::lots::Sorter;
 use crate::problems::Problems;
 use crate::rules::Rules;
-use crate::tile_file::{TileFile, description, write};
+use crate::store::{Folder, Store as _};
+use crate::tally::{LevelSummary, Tally};
 use crate::tileset::Node;
-use crate::tree::{Piece, TileEvent, TreeLevel, Trees};
+use crate::tree::{self, TileEvent, TreeLevel, Trees};
 
 /// The choices of a city.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Options {
     /// Levels of detail for buildings far away, from near to far.
     pub levels: Vec<Level>,
@@ -47,22 +47,8 @@ const LEVEL_LOTS: u64 = 16;
 /// The error in metres of the first far level, and the factor to each further one.
 const LEVEL_ERROR: (f64, f64) = (8.0, 4.0);
 
-/// The lots of a block: its tree is in memory and becomes a file of its own.
-const BLOCK_LOTS: u64 = 65_536;
-
 /// The file that marks a folder as a city.
 const MARK: &str = "cga-city.json";
-
-/// The tiles of a level.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct LevelSummary {
-    /// The number of tiles with a file.
-    pub tiles: u64,
-    /// The bytes of their files.
-    pub bytes: u64,
-    /// The number of buildings.
-    pub buildings: u64,
-}
 
 /// A finished city in numbers.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -197,7 +183,7 @@ impl Build {
     /// error of the file system.
     pub fn finish(self, rules: &Rules, progress: &dyn Progress) -> Result<Summary, String> {
         let Build { folder, options, mut problems, sorter, _sorted, _lock, rows, damaged } = self;
-        let levels = levels(rules, &options)?;
+        let levels = options.tree_levels(rules)?;
         let unusable = |why: io::Error| format!("cannot make the tiles in `{}`: {why}", folder.display());
         if !damaged.is_empty() {
             problems.finish().map_err(unusable)?;
@@ -211,26 +197,25 @@ impl Build {
         }
         // Rules may be nested deeply.
         let pool = pool.stack_size(16 << 20).build().map_err(|why| format!("cannot start threads: {why}"))?;
-        let log = Mutex::new(Log { levels: vec![LevelSummary::default(); levels.len()], ..Log::default() });
+        let log = Mutex::new(Tally::new(levels.len()));
         let each = |event: &TileEvent<'_>| {
             log.lock().unwrap_or_else(PoisonError::into_inner).add(event);
             progress.tile(event)
         };
-        let trees =
-            Trees { lots: &lots, levels: &levels, folder: &folder, most_bytes: options.most_bytes, each: &each };
+        let store = Folder(folder.clone());
+        let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: options.most_bytes, each: &each };
         let blocks = |problems: &mut Problems| -> io::Result<()> {
             let root = root(&trees, &log, problems)?;
-            let path = folder.join("tileset.json");
             // A city without lots is a mistake, and the older one stays.
-            if !lots.is_empty() || !path.exists() {
-                write(&path, &root.tileset())?;
+            if !lots.is_empty() || !folder.join("tileset.json").exists() {
+                store.write("tileset.json", root.tileset())?;
             }
             problems.finish()
         };
         pool.install(|| blocks(&mut problems)).map_err(unusable)?;
         let log = log.into_inner().unwrap_or_else(PoisonError::into_inner);
         if !lots.is_empty() {
-            delete_others(&folder, &|name| log.names.contains(&hash(name))).map_err(unusable)?;
+            delete_others(&folder, &|name| log.has_name(name)).map_err(unusable)?;
         }
         Ok(Summary {
             rows,
@@ -277,116 +262,53 @@ impl Options {
     /// # Errors
     /// A sentence: a level is given twice, has an error that is not above the error of the nearer level, or does not fit the rules.
     pub fn check(&self, rules: &Rules) -> Result<(), String> {
-        levels(rules, self).map(drop)
+        self.tree_levels(rules).map(drop)
+    }
+
+    /// The levels of detail, from near to far.
+    ///
+    /// # Errors
+    /// As [`check`](Options::check).
+    pub fn tree_levels(&self, rules: &Rules) -> Result<Vec<TreeLevel>, String> {
+        let near = Level { error: Some(0.0), ..Level::default() };
+        let mut lots = self.lots_per_tile.max(1);
+        let mut error = LEVEL_ERROR.0;
+        let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
+        for (number, level) in self.levels.iter().enumerate() {
+            let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
+            if self.levels[..number].iter().any(is_same) {
+                return Err(format!("the level `{level}` is given twice"));
+            }
+            // The footprints of a tile are in memory.
+            lots = lots.saturating_mul(LEVEL_LOTS).min(tree::BLOCK_LOTS.max(lots));
+            error = level.error.unwrap_or(error);
+            if error <= levels[levels.len() - 1].error {
+                let nearer = levels[levels.len() - 1].error;
+                return Err(format!(
+                    "the error of the level `{level}` is {error} m, which is not above the {nearer} m of the nearer level"
+                ));
+            }
+            let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
+            levels.push(TreeLevel { rules, lots, error });
+            error *= LEVEL_ERROR.1;
+        }
+        Ok(levels)
     }
 }
 
-fn levels(rules: &Rules, options: &Options) -> Result<Vec<TreeLevel>, String> {
-    let near = Level { error: Some(0.0), ..Level::default() };
-    let mut lots = options.lots_per_tile.max(1);
-    let mut error = LEVEL_ERROR.0;
-    let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
-    for (number, level) in options.levels.iter().enumerate() {
-        let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
-        if options.levels[..number].iter().any(is_same) {
-            return Err(format!("the level `{level}` is given twice"));
-        }
-        // The footprints of a tile are in memory.
-        lots = lots.saturating_mul(LEVEL_LOTS).min(BLOCK_LOTS.max(lots));
-        error = level.error.unwrap_or(error);
-        if error <= levels[levels.len() - 1].error {
-            let nearer = levels[levels.len() - 1].error;
-            return Err(format!(
-                "the error of the level `{level}` is {error} m, which is not above the {nearer} m of the nearer level"
-            ));
-        }
-        let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
-        levels.push(TreeLevel { rules, lots, error });
-        error *= LEVEL_ERROR.1;
-    }
-    Ok(levels)
-}
-
-/// The root of the city: a child for each block, whose tree is in a file of its own.
-fn root(trees: &Trees<'_>, log: &Mutex<Log>, problems: &mut Problems) -> io::Result<Node> {
+/// The blocks of the city, and its root.
+fn root(trees: &Trees<'_>, log: &Mutex<Tally>, problems: &mut Problems) -> io::Result<Node> {
     let Some(all) = trees.piece(0..trees.lots.len())? else {
-        return Ok(Node::around(Frame::at(Cell::WORLD.middle()), Vec::new()));
+        return Ok(tree::root(Cell::WORLD, []));
     };
-    let frame = Frame::at(all.cell.middle());
-    let farthest = trees.levels.len() - 1;
-    let blocks = trees.cut(all, BLOCK_LOTS.max(trees.levels[farthest].lots))?;
-    let mut children = Vec::new();
-    for block in blocks {
-        let Piece { cell, .. } = block;
-        let nodes = trees.nodes(block, farthest)?;
+    let cell = all.cell;
+    let mut blocks = Vec::new();
+    for piece in trees.cut(all, tree::block_lots(trees.levels))? {
+        let block = trees.block(piece)?;
         let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
         log.write_problems(problems)?;
-        if nodes.is_empty() {
-            continue;
-        }
-        let tree = Node::around(Frame::at(cell.middle()), nodes);
-        let name = format!("sets/{cell}.json");
-        write(&trees.folder.join(&name), &set(&tree))?;
-        log.names.insert(hash(&name));
-        children.push(Node { content: Some(name), children: Vec::new(), ..tree });
+        block.iter().for_each(|block| log.add_name(&block.name));
+        blocks.extend(block);
     }
-    Ok(Node::around(frame, children))
-}
-
-/// The file of a block. Its folder is three folders below the city.
-fn set(tree: &Node) -> Vec<u8> {
-    fn lifted(node: &Node) -> Node {
-        Node {
-            content: node.content.as_ref().map(|name| format!("../../../{name}")),
-            children: node.children.iter().map(lifted).collect(),
-            ..node.clone()
-        }
-    }
-    lifted(tree).inner_tileset()
-}
-
-/// The tiles of a run.
-#[derive(Default)]
-struct Log {
-    levels: Vec<LevelSummary>,
-    made: u64,
-    kept: u64,
-    /// The hashes of the names of all files of the city.
-    names: HashSet<u64>,
-    /// The tiles with problems, since the last block.
-    problems: Vec<(String, TileFile)>,
-}
-
-impl Log {
-    fn add(&mut self, event: &TileEvent<'_>) {
-        let TileEvent { name, level, tile, was_finished, .. } = event;
-        *(if *was_finished { &mut self.kept } else { &mut self.made }) += 1;
-        self.names.extend([hash(name), hash(&description(Path::new(name)).to_string_lossy())]);
-        if !tile.problems.is_empty() {
-            self.problems.push(((*name).to_owned(), (*tile).clone()));
-        }
-        let summary = &mut self.levels[*level];
-        summary.tiles += u64::from(0 < tile.bytes);
-        summary.bytes += tile.bytes;
-        summary.buildings += tile.buildings;
-    }
-
-    /// Writes the problems of the tiles, in the order of their names.
-    fn write_problems(&mut self, out: &mut Problems) -> io::Result<()> {
-        self.problems.sort_by(|(a, _), (b, _)| a.cmp(b));
-        for (name, tile) in self.problems.drain(..) {
-            for problem in &tile.problems {
-                out.of_building(&name, &problem.id, problem.is_lost, &problem.reason)?;
-            }
-            if 0 < tile.problems_left_out {
-                out.further(&name, tile.problems_left_out)?;
-            }
-        }
-        Ok(())
-    }
-}
-
-fn hash(name: &str) -> u64 {
-    let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(name.replace('\\', "/").as_bytes()).as_bytes();
-    u64::from_le_bytes([a, b, c, d, e, f, g, h])
+    Ok(tree::root(cell, blocks))
 }

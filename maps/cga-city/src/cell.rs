@@ -4,13 +4,14 @@ use std::fmt;
 use std::ops::Range;
 
 use cga_geo::outline::Corner;
+use serde::{Deserialize, Serialize};
 
 /// The depth of the smallest cells. On the equator they have a side of 15 cm.
 pub const DEEPEST: u32 = 28;
 
 /// A cell. Cells of one depth are ordered along a curve that visits the four quarters of a cell one after another, so the lots of
 /// each cell are neighbours in the order of [`key`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Cell {
     /// The number of divisions from the whole world.
     pub zoom: u32,

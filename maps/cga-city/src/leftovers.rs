@@ -46,8 +46,10 @@ fn delete_below(folder: &Path, name: &str, is_part: &dyn Fn(&str) -> bool) -> io
     Ok(())
 }
 
+/// Returns true for the name of a tile, of its description, or of a block.
+///
 /// Names such as `tiles/0/17/69000/43000.glb`, `tiles/0/28/1/2ab.json` and `sets/12/2157/1343.json`.
-fn is_tile_or_block(name: &str) -> bool {
+pub fn is_tile_or_block(name: &str) -> bool {
     let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     let Some((path, ending)) = name.rsplit_once('.') else { return false };
     let parts: Vec<&str> = path.split('/').collect();

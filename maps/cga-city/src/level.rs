@@ -3,8 +3,10 @@
 use std::fmt;
 use std::str::FromStr;
 
+use serde::{Deserialize, Serialize};
+
 /// A level of detail: a start rule, or values of attributes, for buildings that are far away.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Level {
     /// The start rule; `None` for the usual one. A lot with a start rule of its own keeps it.
     pub start: Option<String>,

@@ -18,6 +18,8 @@ pub mod level;
 pub mod lots;
 pub mod problems;
 pub mod rules;
+pub mod store;
+pub mod tally;
 pub mod tile_file;
 pub mod tileset;
 pub mod tree;

@@ -9,8 +9,8 @@ use serde_json::json;
 
 /// Writes problems and counts them.
 #[derive(Debug)]
-pub struct Problems {
-    out: BufWriter<File>,
+pub struct Problems<W = BufWriter<File>> {
+    out: W,
     /// The number of rows, polygons and buildings that the city does not have.
     pub lost: u64,
     /// The number of other problems.
@@ -37,7 +37,19 @@ impl Problems {
             Err(why) if why.kind() != io::ErrorKind::NotFound => return Err(why),
             _ => {}
         }
-        Ok(Problems { out: BufWriter::new(File::create(path)?), lost: 0, notes: 0, first: Default::default() })
+        Ok(Problems::new(BufWriter::new(File::create(path)?)))
+    }
+}
+
+impl<W: Write> Problems<W> {
+    /// Begins with an empty writer.
+    pub fn new(out: W) -> Self {
+        Problems { out, lost: 0, notes: 0, first: Default::default() }
+    }
+
+    /// The writer.
+    pub fn into_inner(self) -> W {
+        self.out
     }
 
     /// Adds a problem of a row of a file.

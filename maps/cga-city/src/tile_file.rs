@@ -1,13 +1,12 @@
 //! The files of a tile: a GLB, and beside it a description with a digest of all that the tile depends on.
 
-use std::fs;
-use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::io;
 
 use serde::{Deserialize, Serialize};
 
 use crate::content::{Content, LotProblem};
 use crate::glb_bounds::Bounds;
+use crate::store::{Store, digest_of};
 
 /// The description of a tile.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -31,32 +30,24 @@ pub struct TileFile {
     pub problems_left_out: u64,
 }
 
-/// The path of the description.
-pub fn description(glb: &Path) -> PathBuf {
-    glb.with_extension("json")
+/// The name of the description of a tile.
+pub fn description(glb: &str) -> String {
+    format!("{}.json", glb.strip_suffix(".glb").unwrap_or(glb))
 }
 
 impl TileFile {
     /// The description of a finished tile. `None` if it must be made: it does not exist, has another digest, or its file is damaged.
-    pub fn finished(glb: &Path, digest: &str) -> Option<Self> {
-        let found: TileFile = serde_json::from_slice(&fs::read(description(glb)).ok()?).ok()?;
-        (found.digest == digest && found.is_whole(glb)).then_some(found)
-    }
-
-    /// Returns true if the file has its bytes. A file system that was full or without power may have left others, also of the same length.
-    fn is_whole(&self, glb: &Path) -> bool {
-        if self.bytes == 0 {
-            return true;
-        }
-        let has_length = fs::metadata(glb).is_ok_and(|file| file.len() == self.bytes);
-        has_length && fs::read(glb).is_ok_and(|bytes| digest_of(&bytes) == self.content)
+    pub fn finished(store: &dyn Store, glb: &str, digest: &str) -> Option<Self> {
+        let found: TileFile = serde_json::from_slice(&store.read(&description(glb)).ok()??).ok()?;
+        let is_whole = || found.bytes == 0 || store.is_whole(glb, found.bytes, &found.content);
+        (found.digest == digest && is_whole()).then_some(found)
     }
 
     /// Writes a tile. The description comes last, so a tile with a description is whole.
     ///
     /// # Errors
-    /// Errors of the file system.
-    pub fn write(glb: &Path, digest: String, content: Option<Content>) -> io::Result<Self> {
+    /// Errors of the store.
+    pub fn write(store: &dyn Store, glb: &str, digest: String, content: Option<Content>) -> io::Result<Self> {
         let is_divided = content.is_none();
         let content = content.unwrap_or_else(|| Content {
             glb: Vec::new(),
@@ -76,51 +67,25 @@ impl TileFile {
             problems_left_out: content.problems_left_out,
         };
         if content.glb.is_empty() {
-            remove(glb)?;
+            store.delete(glb)?;
         } else {
-            write(glb, &content.glb)?;
+            store.write(glb, content.glb)?;
         }
-        write(&description(glb), &serde_json::to_vec(&file)?)?;
+        store.write(&description(glb), serde_json::to_vec(&file)?)?;
         Ok(file)
-    }
-}
-
-fn digest_of(bytes: &[u8]) -> String {
-    blake3::hash(bytes).to_hex().to_string()
-}
-
-/// Writes a file with its folders. A reader sees the old file or the new one, never a part.
-///
-/// # Errors
-/// Errors of the file system.
-pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    fs::create_dir_all(folder)?;
-    let mut builder = tempfile::Builder::new();
-    // A server may run as another user.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.prefix(".part-").tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.persist(path)?;
-    Ok(())
-}
-
-fn remove(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
-        Err(why) if why.kind() != io::ErrorKind::NotFound => Err(why),
-        _ => Ok(()),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::store::Folder;
 
     #[test]
     fn a_tile_is_finished_if_its_digest_and_its_file_are_whole() {
         let folder = tempfile::tempdir().expect("a folder");
-        let path = folder.path().join("0/1/2.glb");
+        let (store, name) = (Folder(folder.path().to_owned()), "0/1/2.glb");
+        let damage = |bytes: &[u8]| std::fs::write(folder.path().join(name), bytes).expect("room");
         let content = Content {
             glb: vec![7; 100],
             bounds: Bounds { low: [0.1, 0.2, 0.3], high: [1.0 / 3.0, 2.0, 3.0] },
@@ -128,16 +93,16 @@ mod tests {
             problems: vec![LotProblem { id: "a".into(), is_lost: true, reason: "why".into() }],
             problems_left_out: 0,
         };
-        assert_eq!(TileFile::finished(&path, "d"), None);
-        let written = TileFile::write(&path, "d".into(), Some(content)).expect("room");
-        assert_eq!(TileFile::finished(&path, "d"), Some(written));
-        assert_eq!(TileFile::finished(&path, "e"), None);
-        fs::write(&path, [7; 99]).expect("room");
-        assert_eq!(TileFile::finished(&path, "d"), None);
-        fs::write(&path, [0; 100]).expect("room");
-        assert_eq!(TileFile::finished(&path, "d"), None);
-        let divided = TileFile::write(&path, "d".into(), None).expect("room");
-        assert!(divided.is_divided && !path.exists());
-        assert_eq!(TileFile::finished(&path, "d"), Some(divided));
+        assert_eq!(TileFile::finished(&store, name, "d"), None);
+        let written = TileFile::write(&store, name, "d".into(), Some(content)).expect("room");
+        assert_eq!(TileFile::finished(&store, name, "d"), Some(written));
+        assert_eq!(TileFile::finished(&store, name, "e"), None);
+        damage(&[7; 99]);
+        assert_eq!(TileFile::finished(&store, name, "d"), None);
+        damage(&[0; 100]);
+        assert_eq!(TileFile::finished(&store, name, "d"), None);
+        let divided = TileFile::write(&store, name, "d".into(), None).expect("room");
+        assert!(divided.is_divided && !folder.path().join(name).exists());
+        assert_eq!(TileFile::finished(&store, name, "d"), Some(divided));
     }
 }

@@ -2,18 +2,22 @@
 
 use std::io;
 use std::ops::Range;
-use std::path::Path;
 
 use cga_geo::frame::Frame;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::cell::Cell;
 use crate::content::content;
 use crate::glb_bounds::Bounds;
 use crate::lots::Lots;
 use crate::rules::LevelRules;
+use crate::store::Store;
 use crate::tile_file::TileFile;
 use crate::tileset::Node;
+
+/// The lots of a block.
+pub(crate) const BLOCK_LOTS: u64 = 65_536;
 
 /// A piece of the curve: neighbouring lots, and the smallest cell around their centroids.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,6 +28,43 @@ pub struct Piece {
     pub cell: Cell,
     /// For lots that are all in one smallest cell, the way to this piece by halves.
     half: String,
+}
+
+/// A block of lots whose tree has a file of its own.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Block {
+    /// The name of the file.
+    pub name: String,
+    /// The smallest cell around its lots.
+    pub cell: Cell,
+    /// The box around its buildings in the frame of its cell: the lowest and the highest corner as east, north and up in metres.
+    pub bounds: [[f64; 3]; 2],
+    /// The error in metres if its file is not shown.
+    pub error: f64,
+}
+
+/// The root of a city with blocks along the curve, in a cell around them.
+pub fn root(cell: Cell, blocks: impl IntoIterator<Item = Block>) -> Node {
+    let node = |Block { name, cell, bounds: [low, high], error }| Node {
+        frame: Frame::at(cell.middle()),
+        bounds: Bounds { low, high },
+        error,
+        content: Some(name),
+        children: Vec::new(),
+    };
+    Node::around(Frame::at(cell.middle()), blocks.into_iter().map(node).collect())
+}
+
+/// The file of a block. Its folder is three folders below the city.
+fn set(tree: &Node) -> Vec<u8> {
+    fn lifted(node: &Node) -> Node {
+        Node {
+            content: node.content.as_ref().map(|name| format!("../../../{name}")),
+            children: node.children.iter().map(lifted).collect(),
+            ..node.clone()
+        }
+    }
+    lifted(tree).inner_tileset()
 }
 
 /// A level of the tree.
@@ -39,7 +80,7 @@ pub struct TreeLevel {
 
 impl TreeLevel {
     /// The metres by which positions may move: a centimetre nearby, and a fiftieth of the error far away.
-    fn accuracy(&self) -> f64 {
+    pub fn accuracy(&self) -> f64 {
         (self.error / 50.0).max(0.01)
     }
 }
@@ -47,7 +88,7 @@ impl TreeLevel {
 /// A tile that is finished.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TileEvent<'t> {
-    /// Its address in the folder of the city.
+    /// Its name in the store.
     pub name: &'t str,
     /// The number of its level, 0 for the near one.
     pub level: usize,
@@ -59,6 +100,11 @@ pub struct TileEvent<'t> {
     pub lots: u64,
 }
 
+/// The most lots of a block: its tree is in memory and becomes a file of its own.
+pub fn block_lots(levels: &[TreeLevel]) -> u64 {
+    BLOCK_LOTS.max(levels.last().map_or(0, |level| level.lots))
+}
+
 /// The maker of trees.
 #[derive(Clone, Copy)]
 pub struct Trees<'c> {
@@ -66,8 +112,8 @@ pub struct Trees<'c> {
     pub lots: &'c Lots,
     /// The levels, from near to far.
     pub levels: &'c [TreeLevel],
-    /// The folder of the city.
-    pub folder: &'c Path,
+    /// The store of the city.
+    pub store: &'c dyn Store,
     /// The most bytes of a tile with several lots.
     pub most_bytes: u64,
     /// Hears of each tile, from several threads. An error ends the run.
@@ -75,6 +121,25 @@ pub struct Trees<'c> {
 }
 
 impl Trees<'_> {
+    /// Makes the tiles of a block, a piece of [`cut`](Trees::cut) with at most [`block_lots`], and the file of its tree.
+    /// `None` if no building of it has a face.
+    ///
+    /// The result depends on the lots of the block alone, so blocks can be made in any order, by several programs on several machines.
+    ///
+    /// # Errors
+    /// Errors of the store, and an error of [`each`](Trees::each).
+    pub fn block(&self, piece: Piece) -> io::Result<Option<Block>> {
+        let cell = piece.cell;
+        let nodes = self.nodes(piece, self.levels.len() - 1)?;
+        if nodes.is_empty() {
+            return Ok(None);
+        }
+        let tree = Node::around(Frame::at(cell.middle()), nodes);
+        let name = format!("sets/{cell}.json");
+        self.store.write(&name, set(&tree))?;
+        Ok(Some(Block { name, cell, bounds: [tree.bounds.low, tree.bounds.high], error: tree.error }))
+    }
+
     /// The piece of a range of lots, if it has some.
     ///
     /// # Errors
@@ -153,9 +218,9 @@ impl Trees<'_> {
     fn tile(&self, piece: &Piece, level: usize) -> io::Result<(TileFile, String, Frame)> {
         let Piece { lots, cell, half } = piece;
         let name = format!("tiles/{level}/{cell}{half}.glb");
-        let (path, frame) = (self.folder.join(&name), Frame::at(cell.middle()));
+        let frame = Frame::at(cell.middle());
         let digest = self.digest(piece, level)?;
-        let finished = TileFile::finished(&path, &digest);
+        let finished = TileFile::finished(self.store, &name, &digest);
         let was_finished = finished.is_some();
         let tile = match finished {
             Some(tile) => tile,
@@ -163,7 +228,7 @@ impl Trees<'_> {
                 let footprints = self.lots.footprints(lots.clone())?;
                 let TreeLevel { rules, .. } = &self.levels[level];
                 let made = content(&footprints, &frame, rules, self.levels[level].accuracy(), self.most_bytes);
-                TileFile::write(&path, digest, made)?
+                TileFile::write(self.store, &name, digest, made)?
             }
         };
         (self.each)(&TileEvent { name: &name, level, tile: &tile, was_finished, lots: lots.end - lots.start })?;

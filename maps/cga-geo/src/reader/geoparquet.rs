@@ -13,10 +13,49 @@ use parquet::schema::types::Type;
 use serde_json::Value as Json;
 
 use super::collector::Collector;
+use super::quiet::quiet;
 use super::{FileCrs, MapFile};
 use crate::column::ColumnValue;
 use crate::outline::Outline;
 use crate::row::Row;
+
+/// The column of geometries of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Geometry {
+    /// Its name.
+    pub column: String,
+    /// Its coordinate system.
+    pub crs: FileCrs,
+}
+
+impl Geometry {
+    /// The column that the member `geo` of the file's metadata names. Without the member it is `geometry`.
+    ///
+    /// # Errors
+    /// The member is not JSON, or the geometries are not WKB.
+    pub fn of(geo: Option<&str>) -> Result<Self, String> {
+        let geo: Json =
+            geo.map_or(Ok(Json::Null), serde_json::from_str).map_err(|why| format!("its member `geo`: {why}"))?;
+        let column = geo["primary_column"].as_str().unwrap_or("geometry").to_owned();
+        let about = &geo["columns"][&column];
+        if let Some(encoding) = about["encoding"].as_str().filter(|encoding| *encoding != "WKB") {
+            return Err(format!("its geometries are encoded as {encoding}; write them as WKB"));
+        }
+        Ok(Geometry { crs: crs(about), column })
+    }
+}
+
+/// The polygons of a geometry as WKB. Parts of a collection that are left out are added to the notes.
+///
+/// # Errors
+/// A sentence: the bytes are not WKB, or the geometry has no polygon that can be used.
+pub fn outlines(wkb: &[u8], notes: &mut Vec<String>) -> Result<Vec<Outline>, String> {
+    let mut collector = Collector::default();
+    let read = quiet(|| process_wkb_geom(&mut &*wkb, &mut collector));
+    let outlines = collector.outlines(read.ok_or("its geometry is damaged")?);
+    notes.append(&mut collector.notes);
+    outlines
+}
 
 /// Reads the rows of a file. Of its columns, only those in `columns` are read, for all rows; a column of a group is written with dots, as in
 /// `names.primary`.
@@ -29,13 +68,7 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     let metadata = reader.metadata().file_metadata();
     let geo = metadata.key_value_metadata().into_iter().flatten().find(|entry| entry.key == "geo");
     let geo = geo.and_then(|entry| entry.value.as_deref());
-    let geo: Json =
-        geo.map_or(Ok(Json::Null), serde_json::from_str).map_err(|why| format!("its member `geo`: {why}"))?;
-    let geometry = geo["primary_column"].as_str().unwrap_or("geometry").to_owned();
-    let about = &geo["columns"][&geometry];
-    if let Some(encoding) = about["encoding"].as_str().filter(|encoding| *encoding != "WKB") {
-        return Err(format!("its geometries are encoded as {encoding}; write them as WKB"));
-    }
+    let Geometry { column: geometry, crs } = Geometry::of(geo)?;
     let schema = metadata.schema();
     let mut known = Vec::new();
     let others = schema.get_fields().iter().filter(|field| field.name() != geometry);
@@ -49,7 +82,6 @@ pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     }
     let projection = Type::group_type_builder(schema.name()).with_fields(fields).build();
     let projection = projection.map_err(|why| why.to_string())?;
-    let crs = crs(about);
     let count = u64::try_from(metadata.num_rows()).unwrap_or_default();
     let rows = RowIter::from_file_into(Box::new(reader)).project(Some(projection)).map_err(|why| why.to_string())?;
     Ok(MapFile::new(Rows { rows, geometry: geometry.into(), number: 0, count, is_over: false }, crs, Some(known)))
@@ -132,11 +164,7 @@ fn polygons(field: &Field, notes: &mut Vec<String>) -> Result<Vec<Outline>, Stri
         Field::Null => return Err("it has no geometry".to_owned()),
         _ => return Err("its geometry is not WKB".to_owned()),
     };
-    let mut collector = Collector::default();
-    let read = process_wkb_geom(&mut &*bytes, &mut collector);
-    let outlines = collector.outlines(read);
-    notes.append(&mut collector.notes);
-    outlines
+    outlines(bytes, notes)
 }
 
 /// Adds the value of a column; the members of a group have names with dots.

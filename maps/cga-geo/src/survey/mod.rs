@@ -6,6 +6,7 @@ mod crossing;
 use std::sync::Arc;
 
 use cga::Grammar;
+use serde::{Deserialize, Serialize};
 
 use self::check::{Checked, check};
 use crate::column::ColumnValue;
@@ -17,7 +18,7 @@ use crate::row::Row;
 use crate::terrain::Terrain;
 
 /// The columns that have a meaning.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Columns {
     /// The column of ids. Without it, the id that the format has beside its columns, then the column `id`.
     pub id: Option<String>,

@@ -1,0 +1,315 @@
+//! Functions for DataFusion, the same in one process and on the client, the scheduler and the executors of Ballista.
+//!
+//! | function | result |
+//! |---|---|
+//! | `cga_lots(work, geometry, columns)` | the lots of a row: a list of `{cell, key, low, high, bytes, footprint}` |
+//! | `cga_problems(work, geometry, columns)` | the problems of a row: a list of `{slot, line}` |
+//! | `cga_building(work, geometry, columns)` | `{glb, reason}`: the building of a row, or the reason why it has none |
+//! | `cga_unit(plan, key)` | the number of the unit with a lot |
+//! | `cga_tile(plan, unit, array_agg(footprint))` | makes the tiles of a unit; the number of its buildings |
+//! | `cga_failures(work, slot, array_agg(line))` | writes a part of the table of rows that failed; the number of its lines |
+//!
+//! `work` and `plan` are addresses of files in the store; see [`work`](crate::work) and [`plan`](crate::plan). Each is one text for all rows.
+//! `columns` is a group with the columns that the rules use, as in `named_struct('height', "HOEHE")`.
+
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::sync::Arc;
+
+use async_trait::async_trait;
+use cga_city::cell::key;
+use cga_city::content::content;
+use cga_city::store::Store as _;
+use cga_geo::frame::Frame;
+use cga_geo::survey::Survey;
+use datafusion::arrow::array::{
+    Array, ArrayRef, AsArray, LargeBinaryArray, LargeBinaryBuilder, LargeListArray, ListArray, StringArray,
+    StringBuilder, StructArray, UInt32Array, UInt64Array, new_empty_array,
+};
+use datafusion::arrow::buffer::OffsetBuffer;
+use datafusion::arrow::compute::cast;
+use datafusion::arrow::datatypes::{DataType, Field, Fields, UInt32Type, UInt64Type};
+use datafusion::common::ScalarValue;
+use datafusion::error::{DataFusionError, Result};
+use datafusion::logical_expr::async_udf::{AsyncScalarUDF, AsyncScalarUDFImpl};
+use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDF, ScalarUDFImpl, Signature, Volatility};
+use serde_json::json;
+
+use crate::plan::{counted, plan_at};
+use crate::rows::Rows;
+use crate::unit::{make_unit, threads};
+use crate::work::{LoadedWork, work_at};
+
+/// All functions. The client, the scheduler and the executors register them.
+pub fn functions() -> Vec<Arc<ScalarUDF>> {
+    let rows = |name, of: fn(&LoadedWork, &Rows) -> Result<ArrayRef>, kind: fn() -> DataType| {
+        Function::scalar(name, 3, kind, move |args| {
+            let work = work_at(&address(&args[0])?).map_err(failed)?;
+            of(&work, &Rows::new(&args[1], args[2].as_struct())?)
+        })
+    };
+    vec![
+        rows("cga_lots", lots, || list_of(lot_fields())),
+        rows("cga_problems", problems, || list_of(problem_fields())),
+        rows("cga_building", buildings, || DataType::Struct(building_fields())),
+        Function::scalar("cga_unit", 2, || DataType::UInt32, units),
+        Function::waiting("cga_tile", 3, || DataType::UInt64, tiles),
+        Function::waiting("cga_failures", 3, || DataType::UInt64, failures),
+    ]
+}
+
+/// A function from columns to a column.
+type Body = dyn Fn(&[ArrayRef]) -> Result<ArrayRef> + Send + Sync;
+
+/// A function of this crate. Equal names are equal functions.
+struct Function {
+    name: &'static str,
+    signature: Signature,
+    kind: fn() -> DataType,
+    body: Arc<Body>,
+}
+
+impl Function {
+    /// A function that is quick.
+    fn scalar(
+        name: &'static str,
+        count: usize,
+        kind: fn() -> DataType,
+        body: impl Fn(&[ArrayRef]) -> Result<ArrayRef> + Send + Sync + 'static,
+    ) -> Arc<ScalarUDF> {
+        let signature = Signature::any(count, Volatility::Immutable);
+        Arc::new(ScalarUDF::from(Function { name, signature, kind, body: Arc::new(body) }))
+    }
+
+    /// A function that writes to the store and gets one row at a time. Others run while it works.
+    fn waiting(
+        name: &'static str,
+        count: usize,
+        kind: fn() -> DataType,
+        body: fn(&[ArrayRef]) -> Result<ArrayRef>,
+    ) -> Arc<ScalarUDF> {
+        let signature = Signature::any(count, Volatility::Volatile);
+        let function = Function { name, signature, kind, body: Arc::new(body) };
+        Arc::new(AsyncScalarUDF::new(Arc::new(function)).into_scalar_udf())
+    }
+}
+
+impl fmt::Debug for Function {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Function {}
+
+impl Hash for Function {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl ScalarUDFImpl for Function {
+    fn name(&self) -> &str {
+        self.name
+    }
+
+    fn signature(&self) -> &Signature {
+        &self.signature
+    }
+
+    fn return_type(&self, _: &[DataType]) -> Result<DataType> {
+        Ok((self.kind)())
+    }
+
+    fn invoke_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
+        if args.number_rows == 0 {
+            return Ok(ColumnarValue::Array(new_empty_array(&(self.kind)())));
+        }
+        let mut columns = args.args;
+        // The address is the same in all rows.
+        if let Some(ColumnarValue::Scalar(first)) = columns.first() {
+            columns[0] = ColumnarValue::Array(first.to_array()?);
+        }
+        let others = columns.split_off(1);
+        let columns = columns.into_iter().map(|first| first.into_array(1));
+        let others = others.into_iter().map(|column| column.into_array(args.number_rows));
+        let columns = columns.chain(others).collect::<Result<Vec<_>>>()?;
+        (self.body)(&columns).map(ColumnarValue::Array)
+    }
+}
+
+#[async_trait]
+impl AsyncScalarUDFImpl for Function {
+    fn ideal_batch_size(&self) -> Option<usize> {
+        Some(1)
+    }
+
+    async fn invoke_async_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
+        if args.number_rows == 0 {
+            return Ok(ColumnarValue::Array(new_empty_array(&(self.kind)())));
+        }
+        let columns = ColumnarValue::values_to_arrays(&args.args)?;
+        let body = self.body.clone();
+        let made = tokio::task::spawn_blocking(move || body(&columns)).await;
+        made.map_err(|why| failed(why.to_string()))?.map(ColumnarValue::Array)
+    }
+}
+
+fn failed(why: String) -> DataFusionError {
+    DataFusionError::Execution(why)
+}
+
+/// The address of a work or a plan.
+fn address(column: &ArrayRef) -> Result<String> {
+    match ScalarValue::try_from_array(column, 0)? {
+        ScalarValue::Utf8(Some(text)) | ScalarValue::Utf8View(Some(text)) | ScalarValue::LargeUtf8(Some(text)) => {
+            Ok(text)
+        }
+        other => Err(failed(format!("`{other}` is not the address of a work or a plan"))),
+    }
+}
+
+fn fields<const N: usize>(fields: [(&str, DataType); N]) -> Fields {
+    fields.into_iter().map(|(name, kind)| Field::new(name, kind, true)).collect()
+}
+
+fn lot_fields() -> Fields {
+    let numbers = ["cell", "key", "low", "high", "bytes"].map(|name| Field::new(name, DataType::UInt64, true));
+    numbers.into_iter().chain([Field::new("footprint", DataType::LargeBinary, true)]).collect()
+}
+
+fn problem_fields() -> Fields {
+    fields([("slot", DataType::UInt32), ("line", DataType::Utf8)])
+}
+
+fn building_fields() -> Fields {
+    fields([("glb", DataType::LargeBinary), ("reason", DataType::Utf8)])
+}
+
+fn item(fields: Fields) -> Arc<Field> {
+    Arc::new(Field::new_list_field(DataType::Struct(fields), true))
+}
+
+fn list_of(fields: Fields) -> DataType {
+    DataType::List(item(fields))
+}
+
+/// A list for each row: its length, and the columns of all members.
+fn list(fields: Fields, lengths: Vec<usize>, columns: Vec<ArrayRef>) -> Result<ArrayRef> {
+    let members = StructArray::try_new(fields.clone(), columns, None)?;
+    Ok(Arc::new(ListArray::try_new(item(fields), OffsetBuffer::from_lengths(lengths), Arc::new(members), None)?))
+}
+
+fn lots(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
+    let surveyor = work.surveyor().map_err(failed)?;
+    let (mut lengths, mut numbers, mut bytes) = (Vec::new(), [const { Vec::new() }; 5], LargeBinaryBuilder::new());
+    for at in 0..rows.len() {
+        let footprints = surveyor.survey(rows.row(at)).footprints;
+        lengths.push(footprints.len());
+        for footprint in footprints {
+            let (key, own) = (key(footprint.middle()), footprint.to_bytes());
+            let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(&own).as_bytes();
+            let [low, high] = [[a, b, c, d], [e, f, g, h]].map(|half| u64::from(u32::from_le_bytes(half)));
+            let row = [counted(key), key, low, high, own.len() as u64];
+            numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
+            bytes.append_value(own);
+        }
+    }
+    let numbers = numbers.map(|column| Arc::new(UInt64Array::from(column)) as ArrayRef);
+    list(lot_fields(), lengths, numbers.into_iter().chain([Arc::new(bytes.finish()) as ArrayRef]).collect())
+}
+
+/// The parts of the table of rows that failed.
+const SLOTS: u64 = 64;
+
+fn problems(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
+    let surveyor = work.surveyor().map_err(failed)?;
+    let (mut lengths, mut slots, mut lines) = (Vec::new(), Vec::new(), StringBuilder::new());
+    for at in 0..rows.len() {
+        let row = rows.row(at);
+        let values: serde_json::Map<_, _> =
+            row.columns.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
+        let Survey { problems, .. } = surveyor.survey(row);
+        lengths.push(problems.len());
+        for problem in problems {
+            let line = json!({ "id": problem.id, "lost": problem.is_lost, "reason": problem.reason, "row": values });
+            let line = line.to_string();
+            let [a, b, ..] = *blake3::hash(line.as_bytes()).as_bytes();
+            slots.push((u64::from(u16::from_le_bytes([a, b])) % SLOTS) as u32);
+            lines.append_value(line);
+        }
+    }
+    list(problem_fields(), lengths, vec![Arc::new(UInt32Array::from(slots)), Arc::new(lines.finish())])
+}
+
+fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
+    let (surveyor, threads) = (work.surveyor().map_err(failed)?, threads(0).map_err(failed)?);
+    let (mut files, mut reasons) = (LargeBinaryBuilder::new(), StringBuilder::new());
+    for at in 0..rows.len() {
+        let Survey { footprints, problems } = surveyor.survey(rows.row(at));
+        let mut why: Vec<String> = problems.into_iter().map(|problem| problem.reason).collect();
+        // The building stands in metres around its first polygon.
+        let made = footprints.first().and_then(|first| {
+            let (frame, level) = (Frame::at(first.middle()), &work.levels[0]);
+            threads.install(|| content(&footprints, &frame, &level.rules, level.accuracy(), u64::MAX))
+        });
+        let glb = made.and_then(|made| {
+            why.extend(made.problems.into_iter().map(|problem| problem.reason));
+            (!made.glb.is_empty()).then_some(made.glb)
+        });
+        files.append_option(glb);
+        reasons.append_option((!why.is_empty()).then(|| why.join("; ")));
+    }
+    let columns: Vec<ArrayRef> = vec![Arc::new(files.finish()), Arc::new(reasons.finish())];
+    Ok(Arc::new(StructArray::try_new(building_fields(), columns, None)?))
+}
+
+fn units(args: &[ArrayRef]) -> Result<ArrayRef> {
+    let plan = plan_at(&address(&args[0])?).map_err(failed)?;
+    let keys = cast(&args[1], &DataType::UInt64)?;
+    let unit = |key: Option<u64>| plan.plan.unit(key?).map(|unit| unit as u32);
+    Ok(Arc::new(keys.as_primitive::<UInt64Type>().iter().map(unit).collect::<UInt32Array>()))
+}
+
+/// The members of a list in a row.
+fn members(column: &ArrayRef, row: usize) -> ArrayRef {
+    match column.as_any().downcast_ref::<LargeListArray>() {
+        Some(lists) => lists.value(row),
+        None => column.as_list::<i32>().value(row),
+    }
+}
+
+fn tiles(args: &[ArrayRef]) -> Result<ArrayRef> {
+    let plan = plan_at(&address(&args[0])?).map_err(failed)?;
+    let units = cast(&args[1], &DataType::UInt32)?;
+    let tile = |(row, unit): (usize, Option<u32>)| {
+        let unit = unit.and_then(|unit| plan.plan.units.get(unit as usize));
+        let unit = unit.ok_or_else(|| failed("the plan has no such unit".to_owned()))?;
+        let footprints: LargeBinaryArray = cast(&members(&args[2], row), &DataType::LargeBinary)?.as_binary().clone();
+        let made = make_unit(&plan.work, unit, footprints.iter().flatten()).map_err(failed)?;
+        Ok(made.tally.levels.first().map_or(0, |near| near.buildings))
+    };
+    let made = units.as_primitive::<UInt32Type>().iter().enumerate().map(tile);
+    Ok(Arc::new(UInt64Array::from(made.collect::<Result<Vec<u64>>>()?)))
+}
+
+fn failures(args: &[ArrayRef]) -> Result<ArrayRef> {
+    let work = work_at(&address(&args[0])?).map_err(failed)?;
+    let slots = cast(&args[1], &DataType::UInt32)?;
+    let write = |(row, slot): (usize, &u32)| {
+        let lines: StringArray = cast(&members(&args[2], row), &DataType::Utf8)?.as_string().clone();
+        let mut lines: Vec<&str> = lines.iter().flatten().collect();
+        lines.sort_unstable();
+        let table = lines.iter().flat_map(|line| [line, "\n"]).collect::<String>().into_bytes();
+        work.store.write(&format!("failures/rows/{slot:02}.jsonl"), table).map_err(|why| failed(why.to_string()))?;
+        Ok(lines.len() as u64)
+    };
+    let written = slots.as_primitive::<UInt32Type>().values().iter().enumerate().map(write);
+    Ok(Arc::new(UInt64Array::from(written.collect::<Result<Vec<u64>>>()?)))
+}

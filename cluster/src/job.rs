@@ -1,0 +1,174 @@
+//! Jobs as people write them: a file in TOML.
+//!
+//! ```toml
+//! store = "s3://bucket/city"              # or a folder
+//! lots = ["s3://maps/lots/"]              # files and folders of GeoParquet
+//! rules = ["house.cga"]
+//! lod = ["Block@8"]
+//! set = { slope = 40 }
+//! attributes = { HOEHE = "height" }
+//! ```
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use cga::RuleLoader;
+use cga_city::build::Options;
+use cga_geo::crs::{Crs, WGS_84};
+use cga_geo::reader::FileCrs;
+use cga_geo::survey::Columns;
+use serde::Deserialize;
+use url::Url;
+
+use crate::work::{RuleTexts, Work};
+
+/// A job. Paths are relative to the folder of its file.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Job {
+    /// The folder or the address of the tiles.
+    pub store: String,
+    /// Files `.parquet` and folders of them, or their addresses; the address of a folder ends with `/`.
+    pub lots: Vec<String>,
+    /// The rule files. The first has all lots that name none in the column `grammar_column`.
+    pub rules: Vec<PathBuf>,
+    /// The folder of meshes and images that the rules insert, at the same path on all machines.
+    pub assets: Option<PathBuf>,
+    /// The coordinate system, as in `EPSG:25832`; without it, the system that the files name, else degrees.
+    pub crs: Option<String>,
+    /// The column of ids; without it, the column `id`.
+    pub id: Option<String>,
+    /// The column with the names of rule files, without `.cga`.
+    pub grammar_column: Option<String>,
+    /// The column with start rules.
+    pub start_column: Option<String>,
+    /// Columns and the attributes that they set. Other attributes are set by the columns of their names.
+    #[serde(default)]
+    pub attributes: BTreeMap<String, String>,
+    /// Attributes of all lots and their values.
+    #[serde(default)]
+    pub set: BTreeMap<String, toml::Value>,
+    /// Levels of detail for far away, from near to far, as in `Block@8`.
+    #[serde(default)]
+    pub lod: Vec<String>,
+    /// The most lots of a near tile.
+    pub tile_lots: Option<u64>,
+    /// The most kilobytes of a tile with several lots.
+    pub tile_size: Option<u64>,
+    /// The most lots of a unit, the work of one call; one block of tiles is always whole.
+    #[serde(default = "unit_lots")]
+    pub unit_lots: u64,
+    /// The most megabytes of footprints that are sorted at a time, on all machines together.
+    #[serde(default = "wave_size")]
+    pub wave_size: u64,
+    /// The parts of a query that run at a time; without it, one on each processor of this machine.
+    pub partitions: Option<usize>,
+}
+
+fn unit_lots() -> u64 {
+    65_536
+}
+
+fn wave_size() -> u64 {
+    128
+}
+
+impl Job {
+    /// Reads the file of a job.
+    ///
+    /// # Errors
+    /// A sentence about the file.
+    pub fn open(path: &Path) -> Result<Self, String> {
+        let unread = |why: String| format!("cannot read `{}`: {why}", path.display());
+        let text = std::fs::read_to_string(path).map_err(|why| unread(why.to_string()))?;
+        let mut job: Job = toml::from_str(&text).map_err(|why| unread(why.to_string()))?;
+        let folder = std::path::absolute(path).map_err(|why| unread(why.to_string()))?;
+        let folder = folder.parent().unwrap_or(Path::new("/")).to_owned();
+        job.store = address(&folder, &job.store)?;
+        for lots in &mut job.lots {
+            *lots = address(&folder, lots)?;
+        }
+        job.rules.iter_mut().chain(&mut job.assets).for_each(|path| *path = folder.join(&*path));
+        Ok(job)
+    }
+
+    /// The work of the job, for lots with a coordinate system.
+    ///
+    /// # Errors
+    /// A sentence about a choice, or the errors of the rules.
+    pub fn work(&self, crs: &FileCrs) -> Result<Work, String> {
+        let rules = |path: &PathBuf| {
+            let rules = RuleLoader::new().open(path).map_err(|why| why.to_string())?;
+            let texts = rules.texts().map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
+            Ok(RuleTexts { file: rules.file().to_owned(), texts })
+        };
+        let crs = match (&self.crs, crs) {
+            (Some(given), _) => given.parse::<Crs>()?.code(),
+            (None, FileCrs::Epsg(code)) => *code,
+            (None, FileCrs::None) => WGS_84,
+            (None, FileCrs::Unknown(name)) => {
+                return Err(format!(
+                    "the coordinate system `{name}` of the lots has no code; name it, as in `crs = \"EPSG:25832\"`"
+                ));
+            }
+        };
+        let text = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        let usual = Options::default();
+        let options = Options {
+            levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
+            lots_per_tile: self.tile_lots.unwrap_or(usual.lots_per_tile).max(1),
+            most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size << 10),
+            ..usual
+        };
+        Ok(Work {
+            rules: self.rules.iter().map(rules).collect::<Result<_, String>>()?,
+            assets: self.assets.clone(),
+            values: self.set.iter().map(|(name, value)| (name.clone(), text(value))).collect(),
+            columns: Columns {
+                id: self.id.clone(),
+                grammar: self.grammar_column.clone(),
+                start: self.start_column.clone(),
+                attributes: self.attributes.iter().map(|(column, name)| (column.clone(), name.clone())).collect(),
+                footing: None,
+            },
+            crs,
+            options,
+        })
+    }
+}
+
+/// The address of a path, or an address as it is.
+fn address(folder: &Path, path: &str) -> Result<String, String> {
+    if path.contains("://") {
+        return Ok(path.to_owned());
+    }
+    let whole = folder.join(path);
+    let url = if whole.is_dir() { Url::from_directory_path(whole) } else { Url::from_file_path(whole) };
+    url.map(String::from).map_err(|()| format!("`{path}` is not a path"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_job_has_paths_relative_to_its_file_and_values_as_text() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("job.toml");
+        let rules = "attr slope = 30  attr kind = \"home\"  @StartRule Lot --> extrude(9) X.";
+        std::fs::write(folder.path().join("house.cga"), rules).expect("room");
+        let text = "store = \"out\"\nlots = [\"lots.parquet\", \"s3://maps/a.parquet\"]\nrules = [\"house.cga\"]\n\
+                    set = { slope = 40, kind = \"shop\" }\nlod = [\"slope=0@9\"]";
+        std::fs::write(&path, text).expect("room");
+        let job = Job::open(&path).expect("right");
+        assert!(job.store.starts_with("file:///") && job.store.ends_with("/out"), "{}", job.store);
+        assert!(job.lots[0].ends_with("/lots.parquet") && job.lots[1] == "s3://maps/a.parquet");
+        let work = job.work(&FileCrs::Epsg(25832)).expect("right");
+        let values = [("kind", "shop"), ("slope", "40")].map(|(name, value)| (name.to_owned(), value.to_owned()));
+        assert_eq!((work.values.as_slice(), work.crs, work.options.levels.len()), (&values[..], 25832, 1));
+        assert!(work.load_rules().is_ok());
+        std::fs::write(&path, format!("{text}\ncolour = 3")).expect("room");
+        assert!(Job::open(&path).expect_err("unknown").contains("colour"));
+        assert!(job.work(&FileCrs::Unknown("Gauss".into())).expect_err("no code").contains("EPSG:25832"));
+    }
+}

@@ -1,0 +1,104 @@
+//! The files of lots: their geometries and their columns.
+
+use std::sync::Arc;
+
+use cga_geo::reader::geoparquet::Geometry;
+use cga_geo::survey::Columns;
+use datafusion::datasource::file_format::FileFormat as _;
+use datafusion::datasource::file_format::parquet::ParquetFormat;
+use datafusion::datasource::listing::{ListingOptions, ListingTable, ListingTableConfig, ListingTableUrl};
+use datafusion::error::Result;
+use datafusion::prelude::SessionContext;
+use futures::{StreamExt as _, TryStreamExt as _};
+use object_store::ObjectMeta;
+
+use crate::rows::columns_of;
+
+/// The table of all lots.
+pub(crate) struct Lots {
+    table: Arc<ListingTable>,
+    pub(crate) geometry: Geometry,
+}
+
+impl Lots {
+    /// Opens files and folders of GeoParquet.
+    ///
+    /// # Errors
+    /// A sentence about a file.
+    pub(crate) async fn open(context: &SessionContext, addresses: &[String]) -> Result<Self, String> {
+        let unread = |why: String| format!("cannot read the lots: {why}");
+        let urls = addresses.iter().map(ListingTableUrl::parse).collect::<Result<Vec<_>>>();
+        let urls = urls.map_err(|why| unread(why.to_string()))?;
+        let mut geometry: Option<Geometry> = None;
+        for url in &urls {
+            let found = geometries(context, url).await.map_err(|why| unread(format!("`{url}`: {why}")))?;
+            for (file, own) in found {
+                let own = Geometry::of(own.as_deref()).map_err(|why| unread(format!("`{file}`: {why}")))?;
+                if geometry.get_or_insert_with(|| own.clone()) != &own {
+                    return Err(unread(format!(
+                        "`{file}` has another coordinate system or another column of geometries than the first file; make jobs of their own"
+                    )));
+                }
+            }
+        }
+        let geometry = geometry.ok_or_else(|| unread(format!("`{}` has no file .parquet", addresses.join("`, `"))))?;
+        // Files have members `geo` of their own.
+        let format = ParquetFormat::default().with_skip_metadata(true);
+        let options = ListingOptions::new(Arc::new(format)).with_file_extension(".parquet");
+        let config = ListingTableConfig::new_with_multi_paths(urls).with_listing_options(options);
+        let config = config.infer_schema(&context.state()).await.map_err(|why| unread(why.to_string()))?;
+        let table = ListingTable::try_new(config).map_err(|why| unread(why.to_string()))?;
+        Ok(Lots { table: Arc::new(table), geometry })
+    }
+
+    /// Registers the lots as the table `lots`. The result is the call of a function over their columns, for a work.
+    ///
+    /// # Errors
+    /// A sentence: a column that the job names does not exist.
+    pub(crate) fn register(
+        &self,
+        context: &SessionContext,
+        columns: &Columns,
+        names: &[String],
+        work: &str,
+    ) -> Result<impl Fn(&str) -> String + use<>, String> {
+        let schema = datafusion::datasource::TableProvider::schema(&*self.table);
+        let found: Vec<(String, String)> = schema.fields().iter().flat_map(|field| columns_of(field)).collect();
+        let has = |name: &str| found.iter().any(|(known, _)| known == name);
+        if let Some((_, missing)) = columns.named().find(|(_, name)| !has(name)) {
+            let known: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
+            return Err(format!("no file of lots has the column `{missing}`; their columns are {}", known.join(", ")));
+        }
+        let Some((_, geometry)) = found.iter().find(|(name, _)| *name == self.geometry.column) else {
+            return Err(format!("the lots have no column `{}`", self.geometry.column));
+        };
+        let used = found.iter().filter(|(name, _)| *name != self.geometry.column && names.contains(name));
+        let used: Vec<String> = used.map(|(name, sql)| format!("{}, {sql}", literal(name))).collect();
+        // A group has at least one member.
+        let group = if used.is_empty() { "'', 0".to_owned() } else { used.join(", ") };
+        context.register_table("lots", self.table.clone()).map_err(|why| why.to_string())?;
+        let arguments = format!("{}, {geometry}, named_struct({group})", literal(work));
+        Ok(move |function: &str| format!("{function}({arguments})"))
+    }
+}
+
+/// A text in SQL.
+pub(crate) fn literal(text: &str) -> String {
+    format!("'{}'", text.replace('\'', "''"))
+}
+
+/// The files of an address, each with the member `geo` of its metadata.
+async fn geometries(context: &SessionContext, url: &ListingTableUrl) -> Result<Vec<(String, Option<String>)>> {
+    let state = context.state();
+    let store = context.runtime_env().object_store(url)?;
+    let files: Vec<ObjectMeta> = url.list_all_files(&state, &*store, ".parquet").await?.try_collect().await?;
+    let format = ParquetFormat::default().with_skip_metadata(false);
+    let read = |file: ObjectMeta| {
+        let (format, state, store) = (&format, &state, &store);
+        async move {
+            let schema = format.infer_schema(state, store, std::slice::from_ref(&file)).await?;
+            Ok((file.location.to_string(), schema.metadata().get("geo").cloned()))
+        }
+    };
+    futures::stream::iter(files).map(read).buffered(16).try_collect().await
+}

@@ -1,0 +1,185 @@
+//! The command `cga-cluster`: cities on one machine or many.
+//!
+//! ```text
+//! cga-cluster town                                         # a town of made-up outlines, in this process
+//! cga-cluster run JOB.toml                                 # in this process
+//! cga-cluster scheduler                                    # on Ballista: one scheduler,
+//! cga-cluster executor --scheduler 127.0.0.1:50050         # executors on any number of machines,
+//! cga-cluster submit JOB.toml --scheduler 127.0.0.1:50050  # and a client that waits
+//! ```
+#![forbid(unsafe_code)]
+
+mod progress_bar;
+mod town;
+
+use std::net::TcpStream;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::thread::available_parallelism;
+use std::time::Instant;
+
+use cga_cluster::engine::{self, Engine};
+use cga_cluster::job::Job;
+use cga_cluster::run::{Summary, run};
+use cga_cluster::unit::threads;
+use clap::{Args, Parser, Subcommand};
+
+use progress_bar::ProgressBar;
+
+/// Makes 3D Tiles of the lots of GeoParquet files with CGA rules, on one machine or many.
+#[derive(Debug, Parser)]
+#[command(name = "cga-cluster", version)]
+struct Options {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Makes a town of made-up outlines in the folder `town`, and says what to type next
+    Town(TownOptions),
+    /// Runs a job in this process
+    Run(RunOptions),
+    /// Runs a job on the machines of a scheduler
+    Submit(SubmitOptions),
+    /// Runs the scheduler of a cluster
+    Scheduler(SchedulerOptions),
+    /// Runs an executor of a cluster
+    Executor(ExecutorOptions),
+}
+
+#[derive(Debug, Args)]
+struct TownOptions {
+    /// Shows no progress
+    #[arg(long)]
+    quiet: bool,
+}
+
+#[derive(Debug, Args)]
+struct RunOptions {
+    /// The file of the job
+    job: PathBuf,
+    /// The number of threads [default: one on each processor]
+    #[arg(long, value_name = "COUNT")]
+    threads: Option<usize>,
+    /// Shows no progress
+    #[arg(long)]
+    quiet: bool,
+}
+
+#[derive(Debug, Args)]
+struct SubmitOptions {
+    /// The file of the job
+    job: PathBuf,
+    /// The scheduler
+    #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:50050")]
+    scheduler: String,
+    /// Shows no progress
+    #[arg(long)]
+    quiet: bool,
+}
+
+#[derive(Debug, Args)]
+struct SchedulerOptions {
+    /// The address that executors and clients reach
+    #[arg(long, default_value = "127.0.0.1")]
+    host: String,
+    /// The port
+    #[arg(long, default_value_t = 50050)]
+    port: u16,
+}
+
+#[derive(Debug, Args)]
+struct ExecutorOptions {
+    /// The scheduler
+    #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:50050")]
+    scheduler: String,
+    /// The address that other executors reach
+    #[arg(long, default_value = "127.0.0.1")]
+    host: String,
+    /// The port for data; the next one is for orders
+    #[arg(long, default_value_t = 50051)]
+    port: u16,
+    /// The number of parts of queries that run at a time [default: one on each processor]
+    #[arg(long, value_name = "COUNT")]
+    cores: Option<usize>,
+    /// The folder of parts of results
+    #[arg(long, value_name = "DIR", default_value = "cga-cluster-work")]
+    work_dir: PathBuf,
+}
+
+#[tokio::main]
+async fn main() -> ExitCode {
+    // Ballista tells of lost executors; `RUST_LOG=info` has more.
+    env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error,cga_cluster=warn")).init();
+    match command(Options::parse().command).await {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+async fn command(command: Command) -> Result<(), String> {
+    let processors = available_parallelism().map_or(1, usize::from);
+    match command {
+        Command::Town(options) => {
+            let job = town::write()?;
+            embedded(&Job::open(&job)?, processors, options.quiet).await?;
+            println!("\nNext: change `town/town.toml` or `town/town.cga`, and type\n  cga-cluster run town/town.toml");
+            Ok(())
+        }
+        Command::Run(RunOptions { job, threads, quiet }) => {
+            embedded(&Job::open(&job)?, threads.unwrap_or(processors).max(1), quiet).await
+        }
+        Command::Submit(options) => {
+            let job = Job::open(&options.job)?;
+            TcpStream::connect(&options.scheduler).map_err(|why| {
+                format!(
+                    "no scheduler answers at `{}` ({why}); start one with `cga-cluster scheduler`",
+                    options.scheduler
+                )
+            })?;
+            let address = format!("http://{}", options.scheduler);
+            let engine = Engine::ballista(&address, job.partitions.unwrap_or(processors));
+            make(&engine.map_err(|why| why.to_string())?, &job, options.quiet).await
+        }
+        Command::Scheduler(SchedulerOptions { host, port }) => engine::scheduler(host, port).await,
+        Command::Executor(ExecutorOptions { scheduler, host, port, cores, work_dir: folder }) => {
+            let wrong = || format!("`{scheduler}` is not a host with a port, as in `127.0.0.1:50050`");
+            let (scheduler_host, scheduler_port) = scheduler.rsplit_once(':').ok_or_else(wrong)?;
+            let scheduler_port = scheduler_port.parse().map_err(|_| wrong())?;
+            let (scheduler_host, cores) = (scheduler_host.to_owned(), cores.unwrap_or(processors).max(1));
+            threads(cores)?;
+            engine::executor(engine::Executor { scheduler_host, scheduler_port, host, port, cores, folder }).await
+        }
+    }
+}
+
+/// Runs a job in this process.
+async fn embedded(job: &Job, count: usize, is_quiet: bool) -> Result<(), String> {
+    threads(count)?;
+    let engine = Engine::embedded(job.partitions.unwrap_or(count)).map_err(|why| why.to_string())?;
+    make(&engine, job, is_quiet).await
+}
+
+async fn make(engine: &Engine, job: &Job, is_quiet: bool) -> Result<(), String> {
+    let begun = Instant::now();
+    let bar = ProgressBar::new(is_quiet);
+    let made = run(engine, job, &bar).await;
+    bar.end();
+    let Summary { lots, units_made, units_kept, tally, failed_rows, lost, notes } = made?;
+    for (number, level) in tally.levels.iter().enumerate() {
+        let name = if number == 0 { "near".to_owned() } else { format!("far {number}") };
+        let megabytes = level.bytes as f64 / 1e6;
+        println!("{name}: {} tiles, {} buildings, {megabytes:.1} MB", level.tiles, level.buildings);
+    }
+    println!(
+        "{lots} lots, {failed_rows} problems of rows, {lost} buildings lost, {notes} notes (all in `failures`); \
+         {units_made} units made, {units_kept} kept, in {:.1} s; wrote `{}/tileset.json`",
+        begun.elapsed().as_secs_f64(),
+        job.store.trim_end_matches('/')
+    );
+    Ok(())
+}

@@ -1,0 +1,300 @@
+//! A job from its rows to the root of the city, in queries of an engine.
+
+use std::collections::HashMap;
+use std::time::Duration;
+
+use cga_city::cell::Cell;
+use cga_city::leftovers::is_tile_or_block;
+use cga_city::store::Store as _;
+use cga_city::tally::Tally;
+use cga_city::tree::{self, block_lots};
+use datafusion::arrow::array::{AsArray as _, RecordBatch};
+use datafusion::arrow::compute::cast;
+use datafusion::arrow::datatypes::{DataType, UInt64Type};
+use serde_json::json;
+
+use crate::engine::Engine;
+use crate::job::Job;
+use crate::lots::{Lots, literal};
+use crate::plan::{Count, Plan, Unit};
+use crate::store::Objects;
+use crate::unit::UnitFile;
+use crate::work::{LoadedWork, publish};
+
+/// The seconds from one look at the files of units to the next, and from one attempt to the next.
+const LOOK: u64 = 3;
+
+/// The file that marks an address as a city of this program.
+const MARK: &str = "cga-cluster.json";
+
+/// Hears how far a job is.
+pub trait Progress: Sync {
+    /// A step begins, with a number of buildings, or none that is known.
+    fn step(&self, name: &str, buildings: Option<u64>);
+
+    /// The number of buildings that are finished in this step.
+    fn finished(&self, buildings: u64);
+}
+
+/// Hears nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct NoProgress;
+
+impl Progress for NoProgress {
+    fn step(&self, _: &str, _: Option<u64>) {}
+
+    fn finished(&self, _: u64) {}
+}
+
+/// A finished city in numbers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Summary {
+    /// The number of lots: each polygon of a row is one.
+    pub lots: u64,
+    /// The number of units that this run made.
+    pub units_made: usize,
+    /// The number of units that were finished before.
+    pub units_kept: usize,
+    /// The tiles of all units.
+    pub tally: Tally,
+    /// The number of lines in the table of rows that failed.
+    pub failed_rows: u64,
+    /// The number of buildings that are lost.
+    pub lost: u64,
+    /// The number of other problems of buildings.
+    pub notes: u64,
+}
+
+/// Makes a city.
+///
+/// # Errors
+/// A sentence about the job, its rules or its lots, or an error of the store or the engine. Finished tiles are kept for the next run.
+pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<Summary, String> {
+    let store = Objects::open(&job.store)?;
+    begin(&store, &job.store)?;
+    let lots = Lots::open(&engine.context, &job.lots).await?;
+    let work = LoadedWork::new(job.work(&lots.geometry.crs)?, store.clone())?;
+    check(&work)?;
+    work.rules.warnings().for_each(|warning| log::warn!("{warning}"));
+    let name = publish(&store, &work.work)?;
+    let address = |name: &str| format!("{}/{name}", job.store.trim_end_matches('/'));
+    let names = work.work.columns.names(&work.rules.grammars());
+    let call = lots.register(&engine.context, &work.work.columns, &names, &address(&name))?;
+
+    progress.step("counting lots", None);
+    let counts = engine.retry(&count(&call("cga_lots"))).await?;
+    let counts = counts.iter().map(counts_of).collect::<Result<Vec<_>, _>>()?.concat();
+    let plan = Plan::new(name.clone(), &work.digest, counts, job.unit_lots, block_lots(&work.levels));
+    let plan_name = publish(&store, &plan)?;
+
+    progress.step("checking rows", None);
+    let old = store.list("failures/rows").map_err(|why| why.to_string())?;
+    store.delete_all(old.into_iter().map(|(name, _)| name)).map_err(|why| why.to_string())?;
+    let written = engine.retry(&failures(&call("cga_problems"), &address(&name))).await?;
+    let failed_rows = written.iter().map(|batch| column(batch, 0)).collect::<Result<Vec<_>, _>>()?.concat();
+
+    let lots = plan.units.iter().map(|unit| unit.count.lots).sum();
+    progress.step("making tiles", Some(lots));
+    let wave = job.wave_size << 20;
+    let made = make(engine, &store, &plan, wave, &call("cga_lots"), &address(&plan_name), progress).await?;
+    let (tally, lost, notes) = finish(&store, &plan, work.levels.len())?;
+    let failed_rows = failed_rows.iter().sum();
+    Ok(Summary { lots, units_made: made, units_kept: plan.units.len() - made, tally, failed_rows, lost, notes })
+}
+
+/// Marks an address. Old tiles are deleted in the end, so an address with other files is refused.
+fn begin(store: &Objects, address: &str) -> Result<(), String> {
+    let failed = |why: std::io::Error| format!("cannot use the store `{address}`: {why}");
+    if store.read(MARK).map_err(failed)?.is_none() {
+        if !store.is_empty().map_err(failed)? {
+            return Err(format!("`{address}` has files that are not a city of cga-cluster; name a new folder"));
+        }
+        let mark = json!({ "generator": concat!("cga-cluster ", env!("CARGO_PKG_VERSION")) });
+        store.write(MARK, format!("{mark}\n").into_bytes()).map_err(failed)?;
+    }
+    Ok(())
+}
+
+/// Checks the names of attributes that columns set.
+fn check(work: &LoadedWork) -> Result<(), String> {
+    let has = |name: &str| {
+        let grammars = work.rules.grammars();
+        grammars.iter().any(|grammar| grammar.attributes().iter().any(|attribute| attribute.name.is(name)))
+    };
+    match work.work.columns.attributes.iter().find(|(_, name)| !has(name)) {
+        Some((_, name)) => {
+            Err(format!("`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"))
+        }
+        None => Ok(()),
+    }
+}
+
+impl Engine {
+    async fn query(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
+        let rows = async { self.context.sql(sql).await?.collect().await };
+        rows.await.map_err(|why: datafusion::error::DataFusionError| why.strip_backtrace())
+    }
+
+    /// The rows of a query. The rows may lie on an executor that is lost before they are fetched.
+    async fn retry(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
+        let mut failures = 0;
+        loop {
+            match self.query(sql).await {
+                Err(why) if failures + 1 < self.attempts => {
+                    failures += 1;
+                    log::warn!("a query failed and is tried again: {why}");
+                    tokio::time::sleep(Duration::from_secs(LOOK)).await;
+                }
+                done => return done,
+            }
+        }
+    }
+}
+
+/// The lots of each counted cell.
+fn count(lots: &str) -> String {
+    format!(
+        "select count(*), sum(lot['bytes']), min(lot['key']), max(lot['key']), sum(lot['low']), sum(lot['high']) \
+         from (select unnest({lots}) as lot from lots) group by lot['cell']"
+    )
+}
+
+fn counts_of(batch: &RecordBatch) -> Result<Vec<Count>, String> {
+    let columns = (0..6).map(|at| column(batch, at)).collect::<Result<Vec<_>, _>>()?;
+    let count = |row: usize| {
+        let [lots, bytes, first, last, low, high] = [0, 1, 2, 3, 4, 5].map(|at: usize| columns[at][row]);
+        Count { lots, bytes, keys: [first, last], sums: [low, high] }
+    };
+    Ok((0..batch.num_rows()).map(count).collect())
+}
+
+fn column(batch: &RecordBatch, at: usize) -> Result<Vec<u64>, String> {
+    let numbers = cast(batch.column(at), &DataType::UInt64).map_err(|why| why.to_string())?;
+    Ok(numbers.as_primitive::<UInt64Type>().values().to_vec())
+}
+
+/// Writes the table of rows that failed.
+fn failures(problems: &str, work: &str) -> String {
+    format!(
+        "select cga_failures({}, problem['slot'], array_agg(problem['line'])) \
+         from (select unnest({problems}) as problem from lots) group by problem['slot']",
+        literal(work)
+    )
+}
+
+/// Makes the tiles of units.
+fn tiles(lots: &str, plan: &str, units: &[usize]) -> String {
+    let units: Vec<String> = units.iter().map(usize::to_string).collect();
+    let (plan, units) = (literal(plan), units.join(", "));
+    format!(
+        "select cga_tile({plan}, unit, array_agg(footprint)) \
+         from (select cga_unit({plan}, lot['key']) as unit, lot['footprint'] as footprint \
+         from (select unnest({lots}) as lot from lots)) where unit in ({units}) group by unit"
+    )
+}
+
+/// Makes the units that are not finished, in waves: the footprints of a wave are in memory, on all machines together. The result is their number.
+async fn make(
+    engine: &Engine,
+    store: &Objects,
+    plan: &Plan,
+    wave_bytes: u64,
+    lots: &str,
+    address: &str,
+    progress: &dyn Progress,
+) -> Result<usize, String> {
+    let mut open: Vec<usize> = unfinished(store, plan, (0..plan.units.len()).collect())?;
+    let (count, mut failures) = (open.len(), 0);
+    let total: u64 = plan.units.iter().map(|unit| unit.count.lots).sum();
+    while !open.is_empty() {
+        let mut bytes = 0;
+        let fits = |unit: &&usize| {
+            bytes += plan.units[**unit].count.bytes;
+            bytes <= wave_bytes
+        };
+        let length = open.iter().take_while(fits).count().max(1);
+        let wave: Vec<usize> = open.drain(..length).collect();
+        let before = total - wave.iter().chain(&open).map(|unit| plan.units[*unit].count.lots).sum::<u64>();
+        let sql = tiles(lots, address, &wave);
+        let result = watched(engine.query(&sql), store, plan, &wave, |lots| progress.finished(before + lots)).await;
+        // The files of units decide, not the rows of the query, which may lie on an executor that is lost.
+        let rest = unfinished(store, plan, wave)?;
+        failures = if rest.len() < length { 0 } else { failures + 1 };
+        match result {
+            Err(why) if engine.attempts <= failures => return Err(why),
+            Err(why) if !rest.is_empty() => {
+                log::warn!("{} units are tried again: {why}", rest.len());
+                tokio::time::sleep(Duration::from_secs(LOOK)).await;
+            }
+            Ok(_) if !rest.is_empty() => {
+                return Err("the lots have changed since they were counted; start the job again".to_owned());
+            }
+            _ => {}
+        }
+        open.splice(0..0, rest);
+    }
+    Ok(count)
+}
+
+/// The units without a finished file.
+fn unfinished(store: &Objects, plan: &Plan, units: Vec<usize>) -> Result<Vec<usize>, String> {
+    let files = store.read_all(units.iter().map(|unit| plan.units[*unit].name())).map_err(|why| why.to_string())?;
+    let is_open =
+        |(unit, file): &(usize, Option<Vec<u8>>)| UnitFile::finished(file.as_deref(), &plan.units[*unit]).is_none();
+    Ok(units.into_iter().zip(files).filter(is_open).map(|(unit, _)| unit).collect())
+}
+
+/// Waits for a query and looks at the files of its units, which any machine writes.
+async fn watched<T>(
+    query: impl Future<Output = T>,
+    store: &Objects,
+    plan: &Plan,
+    wave: &[usize],
+    mut progress: impl FnMut(u64),
+) -> T {
+    let look = || -> HashMap<String, _> {
+        let files = store.list("units").unwrap_or_default().into_iter();
+        files.map(|(name, file)| (name, file.last_modified)).collect()
+    };
+    let units: Vec<(String, &Unit)> = wave.iter().map(|at| (plan.units[*at].name(), &plan.units[*at])).collect();
+    let before = look();
+    progress(0);
+    tokio::pin!(query);
+    loop {
+        tokio::select! {
+            result = &mut query => return result,
+            () = tokio::time::sleep(Duration::from_secs(LOOK)) => {
+                let now = look();
+                let is_new = |name: &String| now.get(name).is_some_and(|time| before.get(name) != Some(time));
+                progress(units.iter().filter(|(name, _)| is_new(name)).map(|(_, unit)| unit.count.lots).sum());
+            }
+        }
+    }
+}
+
+/// Makes the root of the city from the files of its units, and deletes files of earlier runs that do not belong to it.
+fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u64), String> {
+    let failed = |why: std::io::Error| format!("cannot finish the city: {why}");
+    let (Some(first), Some(last)) = (plan.units.first(), plan.units.last()) else {
+        return Err(
+            "the city is empty: no row has a polygon that can be used; the reasons are in `failures`".to_owned()
+        );
+    };
+    let cell = Cell::around(first.count.keys[0], last.count.keys[1]);
+    let (mut blocks, mut tally, mut lost, mut notes) = (Vec::new(), Tally::new(levels), 0, 0);
+    let files = store.read_all(plan.units.iter().map(Unit::name)).map_err(failed)?;
+    for (unit, file) in plan.units.iter().zip(files) {
+        let file = UnitFile::finished(file.as_deref(), unit);
+        let file = file.ok_or_else(|| format!("the unit {} is missing; start the job again", unit.cell()))?;
+        blocks.extend(file.blocks);
+        tally.merge(file.tally);
+        (lost, notes) = (lost + file.lost, notes + file.notes);
+    }
+    store.write("tileset.json", tree::root(cell, blocks).tileset()).map_err(failed)?;
+    for folder in ["tiles", "sets", "units", "failures/buildings"] {
+        let is_own = |name: &String| !["tiles", "sets"].contains(&folder) || is_tile_or_block(name);
+        let names = store.list(folder).map_err(failed)?.into_iter().map(|(name, _)| name);
+        store.delete_all(names.filter(|name| is_own(name) && !tally.has_name(name))).map_err(failed)?;
+    }
+    Ok((tally, lost, notes))
+}

@@ -1,0 +1,187 @@
+//! Ballista on loopback: a scheduler and two executors as processes, some of which are killed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::net::TcpListener;
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::atomic::{AtomicU16, Ordering};
+use std::thread::sleep;
+use std::time::{Duration, Instant, SystemTime};
+
+use crate::world::{CHOICES, World, assert_equal, expected_failures, failures, files};
+
+/// A process that is killed at the end.
+pub(crate) struct Process(Child);
+
+impl Process {
+    fn start(world: &World, log: &str, args: &[&str]) -> Self {
+        let log = fs::File::create(world.path(log)).expect("room");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_cga-cluster"));
+        let command = command.args(args).current_dir(world.path("")).env("RUST_LOG", "warn");
+        Process(
+            command
+                .stderr(log.try_clone().expect("a file"))
+                .stdout(log)
+                .stdin(Stdio::null())
+                .spawn()
+                .expect("a process"),
+        )
+    }
+
+    fn kill(mut self) {
+        self.0.kill().expect("it runs");
+        self.0.wait().expect("an end");
+    }
+
+    /// Waits for the end.
+    pub(crate) fn ended_well(&mut self) -> bool {
+        let begun = Instant::now();
+        loop {
+            if let Some(status) = self.0.try_wait().expect("a status") {
+                return status.success();
+            }
+            assert!(begun.elapsed() < Duration::from_secs(400), "the job does not end");
+            sleep(Duration::from_millis(50));
+        }
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        let _ = self.0.kill();
+        let _ = self.0.wait();
+    }
+}
+
+/// The first of two neighbouring ports that are free.
+fn port() -> u16 {
+    static NEXT: AtomicU16 = AtomicU16::new(0);
+    loop {
+        let at = NEXT.fetch_add(2, Ordering::Relaxed);
+        let port = 21_000 + (std::process::id() as u16 % 4000) * 8 + at;
+        if [port, port + 1].iter().all(|port| TcpListener::bind(("127.0.0.1", *port)).is_ok()) {
+            return port;
+        }
+    }
+}
+
+pub(crate) struct Cluster<'w> {
+    world: &'w World,
+    address: String,
+    port: String,
+}
+
+impl<'w> Cluster<'w> {
+    pub(crate) fn new(world: &'w World) -> Self {
+        let port = port();
+        Cluster { world, address: format!("127.0.0.1:{port}"), port: port.to_string() }
+    }
+
+    pub(crate) fn scheduler(&self) -> Process {
+        let scheduler = Process::start(self.world, "scheduler.log", &["scheduler", "--port", &self.port]);
+        // Executors wait for it.
+        while std::net::TcpStream::connect(&self.address).is_err() {
+            sleep(Duration::from_millis(50));
+        }
+        scheduler
+    }
+
+    pub(crate) fn executor(&self, name: &str) -> Process {
+        let (port, log) = (port().to_string(), format!("{name}.log"));
+        let args = ["executor", "--scheduler", &self.address, "--port", &port, "--cores", "1", "--work-dir", name];
+        Process::start(self.world, &log, &args)
+    }
+
+    pub(crate) fn submit(&self) -> Process {
+        Process::start(self.world, "submit.log", &["submit", "job.toml", "--scheduler", &self.address, "--quiet"])
+    }
+
+    /// Waits until a third of the tiles is made.
+    fn wait_for_a_third(&self, expected: usize) {
+        let begun = Instant::now();
+        while count(&self.world.path("out/tiles")) < expected / 3 {
+            assert!(begun.elapsed() < Duration::from_secs(300), "no tile is made: {}", self.logs());
+            sleep(Duration::from_millis(10));
+        }
+    }
+
+    pub(crate) fn logs(&self) -> String {
+        let log = |name: &str| fs::read_to_string(self.world.path(name)).unwrap_or_default();
+        ["submit.log", "scheduler.log", "one.log", "two.log"].map(|name| format!("{name}:\n{}", log(name))).join("\n")
+    }
+}
+
+fn count(folder: &Path) -> usize {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| if entry.path().is_dir() { count(&entry.path()) } else { 1 }).sum()
+}
+
+/// The files of finished units, with their times.
+fn units(folder: &Path) -> BTreeMap<String, SystemTime> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.path().is_dir() {
+            found.extend(units(&entry.path()));
+        } else if entry.path().extension().is_some_and(|ending| ending == "json") {
+            let time = entry.metadata().expect("a file").modified().expect("a time");
+            found.insert(entry.path().to_string_lossy().into_owned(), time);
+        }
+    }
+    found
+}
+
+/// Lots of several units, all in one wave of a job with several parts, and the city that is expected.
+fn world() -> (World, BTreeMap<String, Vec<u8>>) {
+    let world = World::new(12, 1500, 100);
+    world.write_job("out", &format!("{}partitions = 8\n", CHOICES.replace("wave_size = 1", "wave_size = 64")));
+    let expected = files(&world.expected());
+    (world, expected)
+}
+
+fn assert_whole(world: &World, expected: &BTreeMap<String, Vec<u8>>) {
+    assert_equal(&files(&world.path("out")), expected);
+    let [rows, buildings] = failures(&world.path("out"));
+    assert_eq!([&rows, &buildings], expected_failures(&world.path("expected")).each_ref());
+}
+
+#[test]
+fn a_job_whose_executor_is_killed_has_the_same_tiles() {
+    let (world, expected) = world();
+    let cluster = Cluster::new(&world);
+    let _scheduler = cluster.scheduler();
+    let (_one, two) = (cluster.executor("one"), cluster.executor("two"));
+    let mut submit = cluster.submit();
+    cluster.wait_for_a_third(expected.len());
+    two.kill();
+    assert!(!world.path("out/tileset.json").exists(), "the job was too fast");
+    assert!(submit.ended_well(), "{}", cluster.logs());
+    assert_whole(&world, &expected);
+}
+
+#[test]
+fn a_job_is_submitted_again_after_its_client_and_scheduler_were_killed() {
+    let (world, expected) = world();
+    let cluster = Cluster::new(&world);
+    let scheduler = cluster.scheduler();
+    let (one, two) = (cluster.executor("one"), cluster.executor("two"));
+    let submit = cluster.submit();
+    cluster.wait_for_a_third(expected.len());
+    submit.kill();
+    scheduler.kill();
+    [one, two].into_iter().for_each(Process::kill);
+    assert!(!world.path("out/tileset.json").exists(), "the job was too fast");
+    let finished = units(&world.path("out/units"));
+    assert!(!finished.is_empty(), "no unit was finished");
+
+    let _scheduler = cluster.scheduler();
+    let (_one, _two) = (cluster.executor("one"), cluster.executor("two"));
+    assert!(cluster.submit().ended_well(), "{}", cluster.logs());
+    assert_whole(&world, &expected);
+    let after = units(&world.path("out/units"));
+    assert!(finished.iter().all(|(name, time)| after[name] == *time), "finished units were made again");
+    let said = fs::read_to_string(world.path("submit.log")).expect("a log");
+    assert!(finished.len() < after.len());
+    let counts = format!("{} units made, {} kept", after.len() - finished.len(), finished.len());
+    assert!(said.contains(&counts), "{said}");
+}
