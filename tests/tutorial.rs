@@ -64,11 +64,10 @@ pub fn text() -> String {
 
 /// The blocks of Rust in a text.
 pub fn blocks(text: &str) -> Vec<&str> {
-    let block = |rest: &'_ str| -> Option<usize> { rest.find("\n```") };
     let mut list = Vec::new();
     for rest in text.split("\n```rust").skip(1) {
         let start = rest.find('\n').expect("a block") + 1;
-        let end = start + block(&rest[start..]).expect("an end") + 1;
+        let end = start + rest[start..].find("\n```").expect("an end") + 1;
         list.push(&rest[start..end]);
     }
     list

@@ -46,6 +46,11 @@ pub(crate) fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(shown)
 }
 
+/// A [`visible`] text on one line.
+pub(crate) fn visible_line(text: &str) -> String {
+    visible(text).replace('\n', "\\n")
+}
+
 /// Writes lines that rules print to standard output: as they are to a file or a pipe, as [`visible`] text to a terminal.
 ///
 /// # Errors

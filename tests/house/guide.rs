@@ -33,7 +33,7 @@ fn the_rules_of_each_step_lead_to_its_example() {
     }
 }
 
-/// Step 11 tells which characters to change.
+/// Step 11 says which characters to change.
 #[test]
 fn the_rule_file_of_the_tutorial_has_the_rules_of_the_last_step() {
     let last = steps().pop().expect("a step");

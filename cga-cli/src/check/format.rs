@@ -8,7 +8,7 @@ use cga_lang::snippet::{Position, Quote, render_in};
 use cga_lang::span::Span;
 use serde_json::json;
 
-use crate::stream::visible;
+use crate::stream::{visible, visible_line};
 
 /// A form of the findings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
@@ -45,7 +45,7 @@ pub(crate) fn write<'t>(
     if format == Format::Short {
         let (file, Position { line, column }) = (&place.file, place.start);
         let line = format!("{file}:{line}:{column}: {level}[{code}]: {}", diag.message);
-        return writeln!(out, "{}", visible(&line).replace('\n', "\\n"));
+        return writeln!(out, "{}", visible_line(&line));
     }
     let notes: Vec<_> = diag
         .reasons()

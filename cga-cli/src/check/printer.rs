@@ -3,7 +3,7 @@
 use super::count::count;
 use super::format::{self, Format};
 use crate::options::CheckOptions;
-use crate::stream::visible;
+use crate::stream::visible_line;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
 use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
@@ -92,7 +92,7 @@ impl<'o> Printer<'o> {
         }
         let name = &compiled.files[0].name;
         let parts = [(counts.rules, "rule"), (counts.splits, "split"), (counts.comps, "comp")].map(counted).join(", ");
-        let name = visible(name).replace('\n', "\\n");
+        let name = visible_line(name);
         write!(out, "{name}: {parts}; {}, {}", counted((own.errors, "error")), counted((own.warnings, "warning")))?;
         if 0 < own.imported {
             write!(out, "; {} in imported files", counted((own.imported, "error")))?;

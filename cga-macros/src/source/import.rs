@@ -110,10 +110,12 @@ impl Imports {
 
 /// The bytes of a file that is not larger than [`LARGEST_MESH`].
 fn small_file(path: &Path) -> Option<Vec<u8>> {
-    let file = File::open(path).ok()?;
-    if LARGEST_MESH < file.metadata().ok()?.len() {
+    // A pipe may have no end.
+    let about = std::fs::metadata(path).ok()?;
+    if !about.is_file() || LARGEST_MESH < about.len() {
         return None;
     }
+    let file = File::open(path).ok()?;
     let mut bytes = Vec::new();
     // A file may grow while it is read.
     file.take(LARGEST_MESH + 1).read_to_end(&mut bytes).ok()?;

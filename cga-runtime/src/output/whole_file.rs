@@ -59,7 +59,9 @@ impl Drop for WholeFile {
     }
 }
 
-/// Writes a file of these bytes as models write theirs: whole, or not at all. A file that had the name stays as it was if this fails.
+/// Writes a file of these bytes as models write theirs: under a temporary name, which becomes the name at the end. A file that had the name
+/// stays as it was if this fails. Pipes, devices, files of another owner or with several names, and files in a folder that takes no new
+/// ones are written directly.
 ///
 /// # Errors
 /// Errors of the file system, with the path.

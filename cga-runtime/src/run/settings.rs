@@ -37,13 +37,13 @@ pub struct Limits {
     /// texture coordinates of its own also counts its vertices, and [`BYTES_A_UV`](Limits::BYTES_A_UV) for each of them and each set
     /// beyond the first. An operation that sets a material with arguments that vary counts [`BYTES_A_LOOK`](Limits::BYTES_A_LOOK) and
     /// the texts of the material. A text of more than 256 bytes that a function makes counts its bytes, and an array of more than 16
-    /// elements counts 16 bytes for each of them. All are counted before memory is taken, and what is dropped stays counted. So a
-    /// run takes about as much memory, its model included; small solids take up to twice as much. Assets and waiting calls have
-    /// limits of their own.
+    /// elements counts 16 bytes for each of them. Cells of tables and results of Rust functions are counted when they are made, all else before
+    /// memory is taken, and what is dropped stays counted. So a run takes about as much memory, its model included; small solids take up to
+    /// twice as much. Assets and waiting calls have limits of their own.
     ///
-    /// Results of Rust functions count after they were made, texts and arrays as above. Values of the program in rules (`#name`) do not
-    /// count. A table file has at most 4 MB; while it is read, its cells take up to 70 bytes a byte. A GLB file takes up to 4 kB for each
-    /// material while it is made: it is made after the run, and a model has as many materials as the run has looks.
+    /// Values of the program in rules (`#name`) do not count. A table file has at most 4 MB; while it is read, its cells take up to 70 bytes a
+    /// byte. A GLB file takes up to 4 kB for each material while it is made: it is made after the run, and a model has as many materials
+    /// as the run has looks.
     /// After the limit is reached, a step still evaluates its other arguments, in the time that they take without a limit.
     pub bytes: u64,
 }

@@ -131,7 +131,7 @@ impl Parser<'_> {
             }
             Tok::Sym(Sym::Tilde) if self.nth_is(1, Sym::Colon) => match before {
                 Some(Tok::Number(value)) => format!("write `~{value}`"),
-                _ => "the `~` comes before the size".into(),
+                _ => "write the `~` before the size, as in `~2`".into(),
             },
             Tok::Sym(Sym::Star) if step => "`*` comes after the `}` of the repeated slots".into(),
             _ => return None,

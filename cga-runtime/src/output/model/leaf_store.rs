@@ -76,7 +76,8 @@ impl LeafStore {
         let most = |leaves: &[ModelLeaf]| leaves.iter().map(|leaf| scope_reach(&leaf.scope)).fold(0.0, f64::max);
         let parts: Vec<f64> = self.parts.iter().map(|part| most(part)).collect();
         let place = |place: &PartPlace| reach(place.origin) + parts[place.part as usize];
-        self.places.iter().map(place).fold(most(&self.own), f64::max)
+        // Sums are rounded.
+        (1.0 + 1e-12) * self.places.iter().map(place).fold(most(&self.own), f64::max)
     }
 
     /// Adds a leaf.
@@ -157,9 +158,9 @@ impl LeafStore {
     }
 }
 
-/// A number that no coordinate of a scope exceeds, also after rounding.
+/// A number that no coordinate of a scope exceeds, if nothing is rounded.
 fn scope_reach(scope: &Scope) -> f64 {
-    (1.0 + 1e-12) * reach(scope.origin.abs() + scope.axes.abs() * scope.size.abs())
+    reach(scope.origin.abs() + scope.axes.abs() * scope.size.abs())
 }
 
 /// The leaves of a part at an origin.
