@@ -41,17 +41,21 @@ struct Questions {
     units: (u64, u64),
 }
 
-/// Runs a rule until the question after number `last`. Returns the questions, and the time of the run.
+/// The most processor time of a first run: some rules work for minutes.
+const LONGEST: Duration = Duration::from_secs(5);
+
+/// Runs a rule until the question after number `last`, for [`LONGEST`] at most. Returns the questions, and the time of the run.
 fn run(rule: &str, shape: &Shape, last: u64) -> (Questions, Duration) {
     let questions = Questions { count: 0, last: now(), longest: (Duration::ZERO, 0), units: (0, 0) };
     let questions = Arc::new(Mutex::new(questions));
     let own: Arc<OnceLock<Watch>> = Arc::default();
+    let until = now() + LONGEST;
     let (seen, asked) = (questions.clone(), own.clone());
     let watch = Watch::deadline_by(Duration::from_secs(1), move || {
         let mut seen = seen.lock().expect("no panic");
         let units = asked.get().map_or(0, |watch| watch.progress().work);
         seen.units = (units, seen.units.1.max(units - seen.units.0));
-        if seen.count <= last {
+        if seen.count <= last && now() < until {
             seen.longest = seen.longest.max((now() - seen.last, seen.count));
             (seen.last, seen.count) = (now(), seen.count + 1);
             return Duration::ZERO;

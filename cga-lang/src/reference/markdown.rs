@@ -17,9 +17,8 @@ A signature has each parameter with its kind, and with its default if it can be 
 is the name of a file below the asset folder, and a `word` is one of the words that are listed. Functions without arguments
 need no parentheses.
 
-Words that *do not run yet* are checked, and a use is a warning. In a run they give 0, false, empty text or an empty array, and
-leave a fault. *Old* words run, and a use is a warning with the current spelling. The last line of each entry
-links to the page of Esri's reference, which this page does not replace.
+*Old* words run, and a use is a warning with the current spelling. The last line of each entry links to the page of Esri's reference,
+which this page does not replace.
 
 ";
 
