@@ -30,8 +30,8 @@ const BENCHES: [(&str, &str, &[&str]); 16] = [
 
 const HEAD: &str = "# Performance
 
-Written by `cargo run --example performance`, which runs all benches on one machine; do not edit, except *Builds of the repository*. Times differ from machine to
-machine, so look at the ratios. A ratio compares two ways that run in turn in one process; each time is the best of many.
+Written by `cargo run --example performance`, which runs all benches on one machine; do not edit, except from *Builds of the repository*
+on. Times differ from machine to machine, so look at the ratios. A ratio compares two ways that run in turn in one process; each time is the best of many.
 
 *By hand* is a loop without a grammar. It knows all sizes and fills the same buffers: vertices, indices, and where rule or
 material change. *Buffers* is the grammar with `Buffers`, *terminals only* the grammar with a sink that keeps nothing. Every
