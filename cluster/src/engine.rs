@@ -3,6 +3,7 @@
 use std::net::{SocketAddr, ToSocketAddrs as _};
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 
 use ballista_core::config::TaskSchedulingPolicy;
 use ballista_core::extension::{SessionConfigExt as _, SessionStateExt as _};
@@ -11,7 +12,8 @@ use ballista_executor::executor_process::{ExecutorProcessConfig, start_executor_
 use ballista_scheduler::cluster::BallistaCluster;
 use ballista_scheduler::config::SchedulerConfig;
 use ballista_scheduler::scheduler_process::start_server;
-use datafusion::error::Result;
+use datafusion::arrow::array::RecordBatch;
+use datafusion::error::{DataFusionError, Result};
 use datafusion::execution::runtime_env::{RuntimeEnv, RuntimeEnvBuilder};
 use datafusion::execution::{FunctionRegistry as _, SessionState, SessionStateBuilder};
 use datafusion::prelude::{SessionConfig, SessionContext};
@@ -21,6 +23,9 @@ use crate::store::Stores;
 
 /// An executor without a heartbeat for this many seconds is dead, and its work is given to others.
 const DEAD_AFTER: u64 = 12;
+
+/// The time from one attempt to the next.
+pub(crate) const PAUSE: Duration = Duration::from_secs(3);
 
 /// The seconds from one heartbeat to the next.
 const HEARTBEAT: u64 = 3;
@@ -57,13 +62,46 @@ impl Engine {
         functions().iter().for_each(|function| context.register_udf(function.as_ref().clone()));
         Ok(Engine { context, attempts: 5 })
     }
+
+    /// Waits until a query has an answer, on Ballista from an executor.
+    ///
+    /// # Errors
+    /// A sentence about the scheduler.
+    pub async fn answer(&self) -> Result<(), String> {
+        self.query("select 1").await.map(drop)
+    }
+
+    /// The rows of a query.
+    pub(crate) async fn query(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
+        let rows = async { self.context.sql(sql).await?.collect().await };
+        rows.await.map_err(|why: DataFusionError| why.strip_backtrace())
+    }
+
+    /// The rows of a query. An executor that has rows may be lost before they are fetched, so a query that failed is tried again.
+    pub(crate) async fn retry(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
+        // A query that cannot be planned is not tried again.
+        let query = self.context.sql(sql).await.map_err(|why| why.strip_backtrace())?;
+        let mut failures = 0;
+        loop {
+            match query.clone().collect().await.map_err(|why| why.strip_backtrace()) {
+                Err(why) if failures + 1 < self.attempts => {
+                    failures += 1;
+                    log::warn!("a query failed and is tried again: {why}");
+                    tokio::time::sleep(PAUSE).await;
+                }
+                done => return done,
+            }
+        }
+    }
 }
 
 fn runtime() -> Result<Arc<RuntimeEnv>> {
     RuntimeEnvBuilder::new().with_object_store_registry(Arc::new(Stores::default())).build_arc()
 }
 
-fn state(config: SessionConfig) -> Result<SessionState> {
+fn state(mut config: SessionConfig) -> Result<SessionState> {
+    // Lots in folders of folders are lots, too.
+    config.options_mut().execution.listing_table_ignore_subdirectory = false;
     let state = SessionStateBuilder::new().with_config(config).with_runtime_env(runtime()?).with_default_features();
     let mut state = state.build();
     functions().into_iter().try_for_each(|function| state.register_udf(function).map(drop))?;
@@ -117,7 +155,7 @@ pub async fn executor(choices: Executor) -> Result<(), String> {
     let mut registry = BallistaFunctionRegistry::default();
     let own = functions().into_iter().map(|function| (function.name().to_owned(), function));
     registry.scalar_functions.extend(own);
-    let grpc_port = port.checked_add(1).ok_or("the port of an executor is below 65535")?;
+    let grpc_port = port.checked_add(1).ok_or("an executor needs two ports; write a `--port` of at most 65534")?;
     let config = ExecutorProcessConfig {
         bind_host: host.clone(),
         external_host: Some(host),

@@ -3,14 +3,14 @@
 //! | function | result |
 //! |---|---|
 //! | `cga_lots(work, geometry, columns)` | the lots of a row: a list of `{cell, key, low, high, bytes, footprint}` |
-//! | `cga_problems(work, geometry, columns)` | the problems of a row: a list of `{slot, line}` |
+//! | `cga_failures(work, geometry, columns)` | writes the problems of a batch of rows; a list of `{name, lines, lost}`: its file, in the first row |
 //! | `cga_building(work, geometry, columns)` | `{glb, reason}`: the building of a row, or the reason why it has none |
 //! | `cga_unit(plan, key)` | the number of the unit with a lot |
 //! | `cga_tile(plan, unit, array_agg(footprint))` | makes the tiles of a unit; the number of its buildings |
-//! | `cga_failures(work, slot, array_agg(line))` | writes a part of the table of rows that failed; the number of its lines |
 //!
 //! `work` and `plan` are addresses of files in the store; see [`work`](crate::work) and [`plan`](crate::plan). Each is one text for all rows.
-//! `columns` is a group with the columns that the rules use, as in `named_struct('height', "HOEHE")`.
+//! `columns` is a group with the columns that the rules use, as in `named_struct('height', "HOEHE")`. Arguments of other types are refused.
+//! A process reads the assets of a work when it loads it; `cga_tile` reads them again if the plan was made with others.
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -29,12 +29,12 @@ use datafusion::arrow::array::{
 use datafusion::arrow::buffer::OffsetBuffer;
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Field, Fields, UInt32Type, UInt64Type};
-use datafusion::common::ScalarValue;
 use datafusion::error::{DataFusionError, Result};
 use datafusion::logical_expr::async_udf::{AsyncScalarUDF, AsyncScalarUDFImpl};
 use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDF, ScalarUDFImpl, Signature, Volatility};
 use serde_json::json;
 
+use crate::arguments::{Argument, address, check};
 use crate::plan::{counted, plan_at};
 use crate::rows::Rows;
 use crate::unit::{make_unit, threads};
@@ -42,19 +42,21 @@ use crate::work::{LoadedWork, work_at};
 
 /// All functions. The client, the scheduler and the executors register them.
 pub fn functions() -> Vec<Arc<ScalarUDF>> {
-    let rows = |name, of: fn(&LoadedWork, &Rows) -> Result<ArrayRef>, kind: fn() -> DataType| {
-        Function::scalar(name, 3, kind, move |args| {
+    use Argument::{Address, Columns, Footprints, Geometry, Number};
+    use Volatility::{Immutable, Volatile};
+    let rows = |name, of: fn(&LoadedWork, &Rows) -> Result<ArrayRef>, volatility, kind: fn() -> DataType| {
+        Function::of_batch(name, &[Address, Geometry, Columns], volatility, kind, move |args| {
             let work = work_at(&address(&args[0])?).map_err(failed)?;
-            of(&work, &Rows::new(&args[1], args[2].as_struct())?)
+            let columns = args[2].as_struct_opt().ok_or_else(|| failed("the columns are not a group".to_owned()))?;
+            of(&work, &Rows::new(&args[1], columns)?)
         })
     };
     vec![
-        rows("cga_lots", lots, || list_of(lot_fields())),
-        rows("cga_problems", problems, || list_of(problem_fields())),
-        rows("cga_building", buildings, || DataType::Struct(building_fields())),
-        Function::scalar("cga_unit", 2, || DataType::UInt32, units),
-        Function::waiting("cga_tile", 3, || DataType::UInt64, tiles),
-        Function::waiting("cga_failures", 3, || DataType::UInt64, failures),
+        rows("cga_lots", lots, Immutable, || list_of(lot_fields())),
+        rows("cga_failures", failures, Volatile, || list_of(failure_fields())),
+        rows("cga_building", buildings, Immutable, || DataType::Struct(building_fields())),
+        Function::of_batch("cga_unit", &[Address, Number], Immutable, || DataType::UInt32, units),
+        Function::waiting("cga_tile", &[Address, Number, Footprints], || DataType::UInt64, tiles),
     ]
 }
 
@@ -64,32 +66,34 @@ type Body = dyn Fn(&[ArrayRef]) -> Result<ArrayRef> + Send + Sync;
 /// A function of this crate. Equal names are equal functions.
 struct Function {
     name: &'static str,
+    arguments: &'static [Argument],
     signature: Signature,
     kind: fn() -> DataType,
     body: Arc<Body>,
 }
 
 impl Function {
-    /// A function that is quick.
-    fn scalar(
+    /// A function that gets a batch of rows at a time, on the thread of its query.
+    fn of_batch(
         name: &'static str,
-        count: usize,
+        arguments: &'static [Argument],
+        volatility: Volatility,
         kind: fn() -> DataType,
         body: impl Fn(&[ArrayRef]) -> Result<ArrayRef> + Send + Sync + 'static,
     ) -> Arc<ScalarUDF> {
-        let signature = Signature::any(count, Volatility::Immutable);
-        Arc::new(ScalarUDF::from(Function { name, signature, kind, body: Arc::new(body) }))
+        let signature = Signature::any(arguments.len(), volatility);
+        Arc::new(ScalarUDF::from(Function { name, arguments, signature, kind, body: Arc::new(body) }))
     }
 
     /// A function that writes to the store and gets one row at a time. Others run while it works.
     fn waiting(
         name: &'static str,
-        count: usize,
+        arguments: &'static [Argument],
         kind: fn() -> DataType,
         body: fn(&[ArrayRef]) -> Result<ArrayRef>,
     ) -> Arc<ScalarUDF> {
-        let signature = Signature::any(count, Volatility::Volatile);
-        let function = Function { name, signature, kind, body: Arc::new(body) };
+        let signature = Signature::any(arguments.len(), Volatility::Volatile);
+        let function = Function { name, arguments, signature, kind, body: Arc::new(body) };
         Arc::new(AsyncScalarUDF::new(Arc::new(function)).into_scalar_udf())
     }
 }
@@ -123,7 +127,8 @@ impl ScalarUDFImpl for Function {
         &self.signature
     }
 
-    fn return_type(&self, _: &[DataType]) -> Result<DataType> {
+    fn return_type(&self, kinds: &[DataType]) -> Result<DataType> {
+        check(self.name, self.arguments, kinds)?;
         Ok((self.kind)())
     }
 
@@ -132,7 +137,7 @@ impl ScalarUDFImpl for Function {
             return Ok(ColumnarValue::Array(new_empty_array(&(self.kind)())));
         }
         let mut columns = args.args;
-        // The address is the same in all rows.
+        // An address that is written in the query needs no row for each of its rows.
         if let Some(ColumnarValue::Scalar(first)) = columns.first() {
             columns[0] = ColumnarValue::Array(first.to_array()?);
         }
@@ -165,16 +170,6 @@ fn failed(why: String) -> DataFusionError {
     DataFusionError::Execution(why)
 }
 
-/// The address of a work or a plan.
-fn address(column: &ArrayRef) -> Result<String> {
-    match ScalarValue::try_from_array(column, 0)? {
-        ScalarValue::Utf8(Some(text)) | ScalarValue::Utf8View(Some(text)) | ScalarValue::LargeUtf8(Some(text)) => {
-            Ok(text)
-        }
-        other => Err(failed(format!("`{other}` is not the address of a work or a plan"))),
-    }
-}
-
 fn fields<const N: usize>(fields: [(&str, DataType); N]) -> Fields {
     fields.into_iter().map(|(name, kind)| Field::new(name, kind, true)).collect()
 }
@@ -184,8 +179,8 @@ fn lot_fields() -> Fields {
     numbers.into_iter().chain([Field::new("footprint", DataType::LargeBinary, true)]).collect()
 }
 
-fn problem_fields() -> Fields {
-    fields([("slot", DataType::UInt32), ("line", DataType::Utf8)])
+fn failure_fields() -> Fields {
+    fields([("name", DataType::Utf8), ("lines", DataType::UInt64), ("lost", DataType::UInt64)])
 }
 
 fn building_fields() -> Fields {
@@ -225,27 +220,35 @@ fn lots(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
     list(lot_fields(), lengths, numbers.into_iter().chain([Arc::new(bytes.finish()) as ArrayRef]).collect())
 }
 
-/// The parts of the table of rows that failed.
-const SLOTS: u64 = 64;
-
-fn problems(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
+/// Writes a part of the table of rows that failed. Its name follows from the rows of the batch, so a batch that is read twice has one file.
+fn failures(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
     let surveyor = work.surveyor().map_err(failed)?;
-    let (mut lengths, mut slots, mut lines) = (Vec::new(), Vec::new(), StringBuilder::new());
+    let (mut table, mut digest, mut lines, mut lost) = (String::new(), blake3::Hasher::new(), 0, 0);
     for at in 0..rows.len() {
+        digest.update(rows.wkb(at).unwrap_or_default());
         let row = rows.row(at);
         let values: serde_json::Map<_, _> =
             row.columns.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
-        let Survey { problems, .. } = surveyor.survey(row);
-        lengths.push(problems.len());
-        for problem in problems {
+        for problem in surveyor.survey(row).problems {
             let line = json!({ "id": problem.id, "lost": problem.is_lost, "reason": problem.reason, "row": values });
-            let line = line.to_string();
-            let [a, b, ..] = *blake3::hash(line.as_bytes()).as_bytes();
-            slots.push((u64::from(u16::from_le_bytes([a, b])) % SLOTS) as u32);
-            lines.append_value(line);
+            table.push_str(&format!("{line}\n"));
+            lines += 1;
+            lost += u64::from(problem.is_lost);
         }
     }
-    list(problem_fields(), lengths, vec![Arc::new(UInt32Array::from(slots)), Arc::new(lines.finish())])
+    let mut lengths = vec![0; rows.len()];
+    let mut parts: Vec<(String, u64, u64)> = Vec::new();
+    if let (Some(first), true) = (lengths.first_mut(), 0 < lines) {
+        digest.update(table.as_bytes());
+        let name = format!("failures/rows/{}.jsonl", &digest.finalize().to_hex()[..32]);
+        work.store.write(&name, table.into_bytes()).map_err(|why| failed(format!("cannot write `{name}`: {why}")))?;
+        *first = 1;
+        parts.push((name, lines, lost));
+    }
+    let names: StringArray = parts.iter().map(|(name, ..)| Some(name)).collect();
+    let lines: UInt64Array = parts.iter().map(|(_, lines, _)| Some(*lines)).collect();
+    let lost: UInt64Array = parts.iter().map(|(.., lost)| Some(*lost)).collect();
+    list(failure_fields(), lengths, vec![Arc::new(names), Arc::new(lines), Arc::new(lost)])
 }
 
 fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
@@ -254,7 +257,7 @@ fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
     for at in 0..rows.len() {
         let Survey { footprints, problems } = surveyor.survey(rows.row(at));
         let mut why: Vec<String> = problems.into_iter().map(|problem| problem.reason).collect();
-        // The building stands in metres around its first polygon.
+        // Positions are in metres around the first polygon.
         let made = footprints.first().and_then(|first| {
             let (frame, level) = (Frame::at(first.middle()), &work.levels[0]);
             threads.install(|| content(&footprints, &frame, &level.rules, level.accuracy(), u64::MAX))
@@ -263,6 +266,9 @@ fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
             why.extend(made.problems.into_iter().map(|problem| problem.reason));
             (!made.glb.is_empty()).then_some(made.glb)
         });
+        if glb.is_none() && why.is_empty() {
+            why.push("the rules make no face".to_owned());
+        }
         files.append_option(glb);
         reasons.append_option((!why.is_empty()).then(|| why.join("; ")));
     }
@@ -278,11 +284,12 @@ fn units(args: &[ArrayRef]) -> Result<ArrayRef> {
 }
 
 /// The members of a list in a row.
-fn members(column: &ArrayRef, row: usize) -> ArrayRef {
-    match column.as_any().downcast_ref::<LargeListArray>() {
-        Some(lists) => lists.value(row),
-        None => column.as_list::<i32>().value(row),
+fn members(column: &ArrayRef, row: usize) -> Result<ArrayRef> {
+    if let Some(lists) = column.as_any().downcast_ref::<LargeListArray>() {
+        return Ok(lists.value(row));
     }
+    let lists = column.as_list_opt::<i32>().ok_or_else(|| failed("the footprints are not a list".to_owned()))?;
+    Ok(lists.value(row))
 }
 
 fn tiles(args: &[ArrayRef]) -> Result<ArrayRef> {
@@ -291,25 +298,10 @@ fn tiles(args: &[ArrayRef]) -> Result<ArrayRef> {
     let tile = |(row, unit): (usize, Option<u32>)| {
         let unit = unit.and_then(|unit| plan.plan.units.get(unit as usize));
         let unit = unit.ok_or_else(|| failed("the plan has no such unit".to_owned()))?;
-        let footprints: LargeBinaryArray = cast(&members(&args[2], row), &DataType::LargeBinary)?.as_binary().clone();
+        let footprints: LargeBinaryArray = cast(&members(&args[2], row)?, &DataType::LargeBinary)?.as_binary().clone();
         let made = make_unit(&plan.work, unit, footprints.iter().flatten()).map_err(failed)?;
         Ok(made.tally.levels.first().map_or(0, |near| near.buildings))
     };
     let made = units.as_primitive::<UInt32Type>().iter().enumerate().map(tile);
     Ok(Arc::new(UInt64Array::from(made.collect::<Result<Vec<u64>>>()?)))
-}
-
-fn failures(args: &[ArrayRef]) -> Result<ArrayRef> {
-    let work = work_at(&address(&args[0])?).map_err(failed)?;
-    let slots = cast(&args[1], &DataType::UInt32)?;
-    let write = |(row, slot): (usize, &u32)| {
-        let lines: StringArray = cast(&members(&args[2], row), &DataType::Utf8)?.as_string().clone();
-        let mut lines: Vec<&str> = lines.iter().flatten().collect();
-        lines.sort_unstable();
-        let table = lines.iter().flat_map(|line| [line, "\n"]).collect::<String>().into_bytes();
-        work.store.write(&format!("failures/rows/{slot:02}.jsonl"), table).map_err(|why| failed(why.to_string()))?;
-        Ok(lines.len() as u64)
-    };
-    let written = slots.as_primitive::<UInt32Type>().values().iter().enumerate().map(write);
-    Ok(Arc::new(UInt64Array::from(written.collect::<Result<Vec<u64>>>()?)))
 }

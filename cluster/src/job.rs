@@ -28,7 +28,7 @@ use crate::work::{RuleTexts, Work};
 pub struct Job {
     /// The folder or the address of the tiles.
     pub store: String,
-    /// Files `.parquet` and folders of them, or their addresses; the address of a folder ends with `/`.
+    /// Files `.parquet` and folders with all such files below, or their addresses; the address of a folder ends with `/`.
     pub lots: Vec<String>,
     /// The rule files. The first has all lots that name none in the column `grammar_column`.
     pub rules: Vec<PathBuf>,
@@ -117,7 +117,7 @@ impl Job {
         let options = Options {
             levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
             lots_per_tile: self.tile_lots.unwrap_or(usual.lots_per_tile).max(1),
-            most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size << 10),
+            most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size.saturating_mul(1 << 10)),
             ..usual
         };
         Ok(Work {
@@ -144,7 +144,8 @@ fn address(folder: &Path, path: &str) -> Result<String, String> {
     }
     let whole = folder.join(path);
     let url = if whole.is_dir() { Url::from_directory_path(whole) } else { Url::from_file_path(whole) };
-    url.map(String::from).map_err(|()| format!("`{path}` is not a path"))
+    url.map(String::from)
+        .map_err(|()| format!("`{path}` cannot be used; write a path, or an address as in `s3://bucket/folder`"))
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@
 //! A unit that is made twice, also on two machines at a time, has the same bytes, so lost machines and repeated work do no harm.
 #![forbid(unsafe_code)]
 
+mod arguments;
 pub mod engine;
 pub mod functions;
 pub mod job;
@@ -16,6 +17,7 @@ mod lots;
 pub mod plan;
 mod rows;
 pub mod run;
+mod sql;
 pub mod store;
 pub mod unit;
 pub mod work;

@@ -13,6 +13,7 @@ use futures::{StreamExt as _, TryStreamExt as _};
 use object_store::ObjectMeta;
 
 use crate::rows::columns_of;
+use crate::sql::literal;
 
 /// The table of all lots.
 pub(crate) struct Lots {
@@ -80,11 +81,6 @@ impl Lots {
         let arguments = format!("{}, {geometry}, named_struct({group})", literal(work));
         Ok(move |function: &str| format!("{function}({arguments})"))
     }
-}
-
-/// A text in SQL.
-pub(crate) fn literal(text: &str) -> String {
-    format!("'{}'", text.replace('\'', "''"))
 }
 
 /// The files of an address, each with the member `geo` of its metadata.

@@ -16,7 +16,7 @@ use std::net::TcpStream;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::thread::available_parallelism;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use cga_cluster::engine::{self, Engine};
 use cga_cluster::job::Job;
@@ -110,7 +110,7 @@ struct ExecutorOptions {
 
 #[tokio::main]
 async fn main() -> ExitCode {
-    // Ballista tells of lost executors; `RUST_LOG=info` has more.
+    // Ballista reports lost executors; `RUST_LOG=info` has more.
     env_logger::Builder::from_env(env_logger::Env::default().default_filter_or("error,cga_cluster=warn")).init();
     match command(Options::parse().command).await {
         Ok(()) => ExitCode::SUCCESS,
@@ -143,7 +143,9 @@ async fn command(command: Command) -> Result<(), String> {
             })?;
             let address = format!("http://{}", options.scheduler);
             let engine = Engine::ballista(&address, job.partitions.unwrap_or(processors));
-            make(&engine.map_err(|why| why.to_string())?, &job, options.quiet).await
+            let engine = engine.map_err(|why| why.to_string())?;
+            wait_for_executor(&engine, &options.scheduler).await?;
+            make(&engine, &job, options.quiet).await
         }
         Command::Scheduler(SchedulerOptions { host, port }) => engine::scheduler(host, port).await,
         Command::Executor(ExecutorOptions { scheduler, host, port, cores, work_dir: folder }) => {
@@ -155,6 +157,19 @@ async fn command(command: Command) -> Result<(), String> {
             engine::executor(engine::Executor { scheduler_host, scheduler_port, host, port, cores, folder }).await
         }
     }
+}
+
+/// Waits until an executor answers. A scheduler without executors never reports an error.
+async fn wait_for_executor(engine: &Engine, scheduler: &str) -> Result<(), String> {
+    let answer = engine.answer();
+    tokio::pin!(answer);
+    if let Ok(answer) = tokio::time::timeout(Duration::from_secs(10), &mut answer).await {
+        return answer;
+    }
+    eprintln!(
+        "no executor answers `{scheduler}` yet; start one with `cga-cluster executor --scheduler {scheduler}`. The job waits"
+    );
+    answer.await
 }
 
 /// Runs a job in this process.
@@ -169,15 +184,16 @@ async fn make(engine: &Engine, job: &Job, is_quiet: bool) -> Result<(), String> 
     let bar = ProgressBar::new(is_quiet);
     let made = run(engine, job, &bar).await;
     bar.end();
-    let Summary { lots, units_made, units_kept, tally, failed_rows, lost, notes } = made?;
+    let Summary { lots, units_made, units_kept, tally, failed_rows, lost_rows, lost, notes } = made?;
     for (number, level) in tally.levels.iter().enumerate() {
         let name = if number == 0 { "near".to_owned() } else { format!("far {number}") };
         let megabytes = level.bytes as f64 / 1e6;
         println!("{name}: {} tiles, {} buildings, {megabytes:.1} MB", level.tiles, level.buildings);
     }
     println!(
-        "{lots} lots, {failed_rows} problems of rows, {lost} buildings lost, {notes} notes (all in `failures`); \
+        "{lots} lots, {lost_rows} rows or polygons lost, {lost} buildings lost, {} notes (all in `failures`); \
          {units_made} units made, {units_kept} kept, in {:.1} s; wrote `{}/tileset.json`",
+        notes + failed_rows - lost_rows,
         begun.elapsed().as_secs_f64(),
         job.store.trim_end_matches('/')
     );

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use cga_city::cell::{Cell, DEEPEST};
 use serde::{Deserialize, Serialize};
 
-use crate::work::{Cache, LoadedWork, published, work_at};
+use crate::work::{Cache, LoadedWork, published, work_with};
 
 /// The depth of the cells whose lots are counted: 2.4 km wide on the equator. A unit has at least one of them.
 pub const COUNTED: u32 = 14;
@@ -58,6 +58,8 @@ impl Unit {
 pub struct Plan {
     /// The name of the work in the store.
     pub work: String,
+    /// The digest of the work on the client, with its assets.
+    pub digest: String,
     /// The units.
     pub units: Vec<Unit>,
 }
@@ -77,7 +79,7 @@ impl Plan {
             });
             units.push(Unit { count, digest: hasher.finalize().to_hex().to_string() });
         });
-        Plan { work, units }
+        Plan { work, digest: digest.to_owned(), units }
     }
 
     /// The number of the unit with a key; `None` if the lots have changed since they were counted.
@@ -128,13 +130,13 @@ pub struct LoadedPlan {
 /// The plan of an address.
 ///
 /// # Errors
-/// A sentence about the store or the rules.
+/// A sentence about the store or the rules, or the assets of this machine are not the assets of the client.
 pub fn plan_at(address: &str) -> Result<Arc<LoadedPlan>, String> {
     static KNOWN: Cache<LoadedPlan> = Cache::new();
     KNOWN.get(address, |store, name| {
         let plan: Plan = published(&store, name)?;
         let base = address.strip_suffix(name).unwrap_or(address);
-        Ok(LoadedPlan { work: work_at(&format!("{base}{}", plan.work))?, plan })
+        Ok(LoadedPlan { work: work_with(&format!("{base}{}", plan.work), &plan.digest)?, plan })
     })
 }
 

@@ -1,6 +1,6 @@
 //! A job from its rows to the root of the city, in queries of an engine.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::time::Duration;
 
 use cga_city::cell::Cell;
@@ -13,15 +13,16 @@ use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, UInt64Type};
 use serde_json::json;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, PAUSE};
 use crate::job::Job;
-use crate::lots::{Lots, literal};
+use crate::lots::Lots;
 use crate::plan::{Count, Plan, Unit};
+use crate::sql::literal;
 use crate::store::Objects;
 use crate::unit::UnitFile;
 use crate::work::{LoadedWork, publish};
 
-/// The seconds from one look at the files of units to the next, and from one attempt to the next.
+/// The seconds from one look at the files of units to the next.
 const LOOK: u64 = 3;
 
 /// The file that marks an address as a city of this program.
@@ -29,7 +30,7 @@ const MARK: &str = "cga-cluster.json";
 
 /// Hears how far a job is.
 pub trait Progress: Sync {
-    /// A step begins, with a number of buildings, or none that is known.
+    /// A step begins, with its number of buildings if it is known.
     fn step(&self, name: &str, buildings: Option<u64>);
 
     /// The number of buildings that are finished in this step.
@@ -59,6 +60,8 @@ pub struct Summary {
     pub tally: Tally,
     /// The number of lines in the table of rows that failed.
     pub failed_rows: u64,
+    /// The number of these lines whose row, or a polygon of it, is lost.
+    pub lost_rows: u64,
     /// The number of buildings that are lost.
     pub lost: u64,
     /// The number of other problems of buildings.
@@ -74,7 +77,7 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     begin(&store, &job.store)?;
     let lots = Lots::open(&engine.context, &job.lots).await?;
     let work = LoadedWork::new(job.work(&lots.geometry.crs)?, store.clone())?;
-    check(&work)?;
+    work.rules.check_attributes(work.work.columns.attributes.iter().map(|(_, name)| name.as_str()))?;
     work.rules.warnings().for_each(|warning| log::warn!("{warning}"));
     let name = publish(&store, &work.work)?;
     let address = |name: &str| format!("{}/{name}", job.store.trim_end_matches('/'));
@@ -82,24 +85,29 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     let call = lots.register(&engine.context, &work.work.columns, &names, &address(&name))?;
 
     progress.step("counting lots", None);
-    let counts = engine.retry(&count(&call("cga_lots"))).await?;
-    let counts = counts.iter().map(counts_of).collect::<Result<Vec<_>, _>>()?.concat();
+    let mut counts = Vec::new();
+    for batch in engine.retry(&count(&call("cga_lots"))).await? {
+        counts.extend(counts_of(&batch)?);
+    }
     let plan = Plan::new(name.clone(), &work.digest, counts, job.unit_lots, block_lots(&work.levels));
     let plan_name = publish(&store, &plan)?;
 
     progress.step("checking rows", None);
-    let old = store.list("failures/rows").map_err(|why| why.to_string())?;
-    store.delete_all(old.into_iter().map(|(name, _)| name)).map_err(|why| why.to_string())?;
-    let written = engine.retry(&failures(&call("cga_problems"), &address(&name))).await?;
-    let failed_rows = written.iter().map(|batch| column(batch, 0)).collect::<Result<Vec<_>, _>>()?.concat();
+    let mut parts = BTreeMap::new();
+    for batch in engine.retry(&failures(&call("cga_failures"))).await? {
+        parts.extend(parts_of(&batch)?);
+    }
+    let [failed_rows, lost_rows] = [0, 1].map(|at: usize| parts.values().map(|part| part[at]).sum());
+    // Also the parts of a query that failed and was tried again.
+    store.delete_where("failures/rows", |name| !parts.contains_key(name)).map_err(|why| why.to_string())?;
 
     let lots = plan.units.iter().map(|unit| unit.count.lots).sum();
     progress.step("making tiles", Some(lots));
-    let wave = job.wave_size << 20;
+    let wave = job.wave_size.saturating_mul(1 << 20);
     let made = make(engine, &store, &plan, wave, &call("cga_lots"), &address(&plan_name), progress).await?;
     let (tally, lost, notes) = finish(&store, &plan, work.levels.len())?;
-    let failed_rows = failed_rows.iter().sum();
-    Ok(Summary { lots, units_made: made, units_kept: plan.units.len() - made, tally, failed_rows, lost, notes })
+    let units_kept = plan.units.len() - made;
+    Ok(Summary { lots, units_made: made, units_kept, tally, failed_rows, lost_rows, lost, notes })
 }
 
 /// Marks an address. Old tiles are deleted in the end, so an address with other files is refused.
@@ -113,42 +121,6 @@ fn begin(store: &Objects, address: &str) -> Result<(), String> {
         store.write(MARK, format!("{mark}\n").into_bytes()).map_err(failed)?;
     }
     Ok(())
-}
-
-/// Checks the names of attributes that columns set.
-fn check(work: &LoadedWork) -> Result<(), String> {
-    let has = |name: &str| {
-        let grammars = work.rules.grammars();
-        grammars.iter().any(|grammar| grammar.attributes().iter().any(|attribute| attribute.name.is(name)))
-    };
-    match work.work.columns.attributes.iter().find(|(_, name)| !has(name)) {
-        Some((_, name)) => {
-            Err(format!("`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"))
-        }
-        None => Ok(()),
-    }
-}
-
-impl Engine {
-    async fn query(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
-        let rows = async { self.context.sql(sql).await?.collect().await };
-        rows.await.map_err(|why: datafusion::error::DataFusionError| why.strip_backtrace())
-    }
-
-    /// The rows of a query. The rows may lie on an executor that is lost before they are fetched.
-    async fn retry(&self, sql: &str) -> Result<Vec<RecordBatch>, String> {
-        let mut failures = 0;
-        loop {
-            match self.query(sql).await {
-                Err(why) if failures + 1 < self.attempts => {
-                    failures += 1;
-                    log::warn!("a query failed and is tried again: {why}");
-                    tokio::time::sleep(Duration::from_secs(LOOK)).await;
-                }
-                done => return done,
-            }
-        }
-    }
 }
 
 /// The lots of each counted cell.
@@ -173,13 +145,20 @@ fn column(batch: &RecordBatch, at: usize) -> Result<Vec<u64>, String> {
     Ok(numbers.as_primitive::<UInt64Type>().values().to_vec())
 }
 
-/// Writes the table of rows that failed.
-fn failures(problems: &str, work: &str) -> String {
+/// Writes the table of rows that failed. A part of it has the problems of a batch of rows, so memory does not grow with their number.
+fn failures(failures: &str) -> String {
     format!(
-        "select cga_failures({}, problem['slot'], array_agg(problem['line'])) \
-         from (select unnest({problems}) as problem from lots) group by problem['slot']",
-        literal(work)
+        "select part['name'], part['lines'], part['lost'] from (select unnest({failures}) as part from lots) \
+         where part['name'] is not null"
     )
+}
+
+/// The names of parts of the table, each with the number of its lines and the number of losses.
+fn parts_of(batch: &RecordBatch) -> Result<Vec<(String, [u64; 2])>, String> {
+    let names = cast(batch.column(0), &DataType::Utf8).map_err(|why| why.to_string())?;
+    let (lines, lost) = (column(batch, 1)?, column(batch, 2)?);
+    let names = names.as_string::<i32>().iter().flatten().map(str::to_owned);
+    Ok(names.zip(lines.into_iter().zip(lost)).map(|(name, (lines, lost))| (name, [lines, lost])).collect())
 }
 
 /// Makes the tiles of units.
@@ -204,6 +183,7 @@ async fn make(
     progress: &dyn Progress,
 ) -> Result<usize, String> {
     let mut open: Vec<usize> = unfinished(store, plan, (0..plan.units.len()).collect())?;
+    delete_old_files(store, plan, &open)?;
     let (count, mut failures) = (open.len(), 0);
     let total: u64 = plan.units.iter().map(|unit| unit.count.lots).sum();
     while !open.is_empty() {
@@ -217,14 +197,14 @@ async fn make(
         let before = total - wave.iter().chain(&open).map(|unit| plan.units[*unit].count.lots).sum::<u64>();
         let sql = tiles(lots, address, &wave);
         let result = watched(engine.query(&sql), store, plan, &wave, |lots| progress.finished(before + lots)).await;
-        // The files of units decide, not the rows of the query, which may lie on an executor that is lost.
+        // The files of units decide, not the rows of the query, which may be on an executor that is lost.
         let rest = unfinished(store, plan, wave)?;
         failures = if rest.len() < length { 0 } else { failures + 1 };
         match result {
             Err(why) if engine.attempts <= failures => return Err(why),
             Err(why) if !rest.is_empty() => {
                 log::warn!("{} units are tried again: {why}", rest.len());
-                tokio::time::sleep(Duration::from_secs(LOOK)).await;
+                tokio::time::sleep(PAUSE).await;
             }
             Ok(_) if !rest.is_empty() => {
                 return Err("the lots have changed since they were counted; start the job again".to_owned());
@@ -236,12 +216,44 @@ async fn make(
     Ok(count)
 }
 
+/// Calls a function for each of some units with its file, if it is finished. Some files are read at a time.
+fn each_file(
+    store: &Objects,
+    plan: &Plan,
+    units: impl IntoIterator<Item = usize>,
+    mut each: impl FnMut(usize, Option<UnitFile>) -> Result<(), String>,
+) -> Result<(), String> {
+    let mut units = units.into_iter();
+    loop {
+        let part: Vec<usize> = units.by_ref().take(64).collect();
+        if part.is_empty() {
+            return Ok(());
+        }
+        let files = store.read_all(part.iter().map(|unit| plan.units[*unit].name()));
+        for (unit, file) in part.into_iter().zip(files.map_err(|why| why.to_string())?) {
+            each(unit, UnitFile::finished(file.as_deref(), &plan.units[unit]))?;
+        }
+    }
+}
+
 /// The units without a finished file.
 fn unfinished(store: &Objects, plan: &Plan, units: Vec<usize>) -> Result<Vec<usize>, String> {
-    let files = store.read_all(units.iter().map(|unit| plan.units[*unit].name())).map_err(|why| why.to_string())?;
-    let is_open =
-        |(unit, file): &(usize, Option<Vec<u8>>)| UnitFile::finished(file.as_deref(), &plan.units[*unit]).is_none();
-    Ok(units.into_iter().zip(files).filter(is_open).map(|(unit, _)| unit).collect())
+    let mut open = Vec::new();
+    each_file(store, plan, units, |unit, file| {
+        if file.is_none() {
+            open.push(unit);
+        }
+        Ok(())
+    })?;
+    Ok(open)
+}
+
+/// Deletes the files of other units, and of units that will be made. The file of an older job must not describe the tiles of this one.
+fn delete_old_files(store: &Objects, plan: &Plan, open: &[usize]) -> Result<(), String> {
+    let open: HashSet<usize> = open.iter().copied().collect();
+    let kept = plan.units.iter().enumerate().filter(|(unit, _)| !open.contains(unit));
+    let kept: HashSet<String> = kept.map(|(_, unit)| unit.name()).collect();
+    store.delete_where("units", |name| !kept.contains(name)).map_err(|why| format!("cannot delete old files: {why}"))
 }
 
 /// Waits for a query and looks at the files of its units, which any machine writes.
@@ -282,19 +294,18 @@ fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u6
     };
     let cell = Cell::around(first.count.keys[0], last.count.keys[1]);
     let (mut blocks, mut tally, mut lost, mut notes) = (Vec::new(), Tally::new(levels), 0, 0);
-    let files = store.read_all(plan.units.iter().map(Unit::name)).map_err(failed)?;
-    for (unit, file) in plan.units.iter().zip(files) {
-        let file = UnitFile::finished(file.as_deref(), unit);
+    each_file(store, plan, 0..plan.units.len(), |unit, file| {
+        let unit = &plan.units[unit];
         let file = file.ok_or_else(|| format!("the unit {} is missing; start the job again", unit.cell()))?;
         blocks.extend(file.blocks);
         tally.merge(file.tally);
         (lost, notes) = (lost + file.lost, notes + file.notes);
-    }
+        Ok(())
+    })?;
     store.write("tileset.json", tree::root(cell, blocks).tileset()).map_err(failed)?;
     for folder in ["tiles", "sets", "units", "failures/buildings"] {
-        let is_own = |name: &String| !["tiles", "sets"].contains(&folder) || is_tile_or_block(name);
-        let names = store.list(folder).map_err(failed)?.into_iter().map(|(name, _)| name);
-        store.delete_all(names.filter(|name| is_own(name) && !tally.has_name(name))).map_err(failed)?;
+        let is_own = |name: &str| !["tiles", "sets"].contains(&folder) || is_tile_or_block(name);
+        store.delete_where(folder, |name| is_own(name) && !tally.has_name(name)).map_err(failed)?;
     }
     Ok((tally, lost, notes))
 }

@@ -1,4 +1,4 @@
-//! Object stores by their addresses: `file:///folder`, `s3://bucket/folder` and others behind features.
+//! Object stores by their addresses: `file:///folder`, `s3://bucket/folder`, and others with features of this crate.
 //!
 //! Keys and regions are variables of the environment, as the tools of each service have them: `AWS_*`, `GOOGLE_*`, `AZURE_*`.
 
@@ -8,13 +8,16 @@ use std::io;
 use std::sync::mpsc::sync_channel;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use cga_city::store::{Store, digest_of};
+use cga_city::store::{Store, has_digest};
 use datafusion::error::{DataFusionError, Result};
 use datafusion::execution::object_store::ObjectStoreRegistry;
-use futures::{StreamExt as _, TryStreamExt as _};
+use futures::{StreamExt as _, TryStreamExt as _, stream};
 use object_store::path::Path;
 use object_store::{ObjectMeta, ObjectStore, ObjectStoreExt as _};
 use url::{Position, Url};
+
+/// The number of files of a list that are in memory at a time.
+const PART: usize = 1000;
 
 /// The files below an address of a store. Calls wait for their result, on any thread.
 #[derive(Clone, Debug)]
@@ -48,10 +51,33 @@ impl Objects {
     /// # Errors
     /// Errors of the store.
     pub fn list(&self, folder: &str) -> io::Result<Vec<(String, ObjectMeta)>> {
-        let (store, prefix) = (self.store.clone(), self.path(folder)?);
-        let found: Vec<ObjectMeta> = wait(async move { store.list(Some(&prefix)).try_collect().await })?;
+        let mut found = Vec::new();
+        self.list_parts(folder, |part| {
+            found.extend(part);
+            Ok(())
+        })?;
+        Ok(found)
+    }
+
+    /// Calls a function with some files of a folder after others.
+    fn list_parts(
+        &self,
+        folder: &str,
+        mut each: impl FnMut(Vec<(String, ObjectMeta)>) -> io::Result<()>,
+    ) -> io::Result<()> {
         let skipped = if self.base.as_ref().is_empty() { 0 } else { self.base.as_ref().len() + 1 };
-        Ok(found.into_iter().map(|file| (file.location.as_ref()[skipped..].to_owned(), file)).collect())
+        let named = |file: ObjectMeta| (file.location.as_ref()[skipped..].to_owned(), file);
+        let mut files = self.store.list(Some(&self.path(folder)?)).chunks(PART);
+        loop {
+            let (part, rest) = wait(async move {
+                let part = files.next().await;
+                Ok((part, files))
+            })?;
+            files = rest;
+            let Some(part) = part else { return Ok(()) };
+            let part: Vec<ObjectMeta> = part.into_iter().collect::<Result<_, _>>().map_err(io::Error::other)?;
+            each(part.into_iter().map(named).collect())?;
+        }
     }
 
     /// Returns true if the address has no file.
@@ -74,7 +100,7 @@ impl Objects {
             let store = store.clone();
             async move { get(&*store, &path).await }
         };
-        wait(async move { futures::stream::iter(paths).map(read).buffered(32).try_collect().await })
+        wait(async move { stream::iter(paths).map(read).buffered(32).try_collect().await })
     }
 
     /// Deletes files.
@@ -82,7 +108,31 @@ impl Objects {
     /// # Errors
     /// Errors of the store.
     pub fn delete_all(&self, names: impl IntoIterator<Item = String>) -> io::Result<()> {
-        names.into_iter().try_for_each(|name| self.delete(&name))
+        let paths = names.into_iter().map(|name| self.path(&name)).collect::<io::Result<Vec<_>>>()?;
+        if paths.is_empty() {
+            return Ok(());
+        }
+        let mut deleted = self.store.delete_stream(stream::iter(paths.into_iter().map(Ok)).boxed());
+        wait(async move {
+            while let Some(result) = deleted.next().await {
+                match result {
+                    Ok(_) | Err(object_store::Error::NotFound { .. }) => {}
+                    Err(why) => return Err(why),
+                }
+            }
+            Ok(())
+        })
+    }
+
+    /// Deletes the files of a folder that a function chooses.
+    ///
+    /// # Errors
+    /// Errors of the store.
+    pub fn delete_where(&self, folder: &str, is_other: impl Fn(&str) -> bool) -> io::Result<()> {
+        let others = |part: Vec<(String, ObjectMeta)>| {
+            self.delete_all(part.into_iter().map(|(name, _)| name).filter(|name| is_other(name)))
+        };
+        self.list_parts(folder, others)
     }
 }
 
@@ -109,9 +159,9 @@ impl Store for Objects {
 
     fn is_whole(&self, name: &str, count: u64, digest: &str) -> bool {
         if self.is_local {
-            return matches!(self.read(name), Ok(Some(bytes)) if digest_of(&bytes) == digest);
+            return matches!(self.read(name), Ok(Some(bytes)) if has_digest(&bytes, count, digest));
         }
-        // Objects are whole or do not exist, so their size is enough, and they are not loaded again.
+        // Objects are whole or do not exist, and a description is deleted before its object is replaced. So the size is enough.
         let Ok(path) = self.path(name) else { return false };
         let store = self.store.clone();
         wait(async move { store.head(&path).await }).is_ok_and(|found| found.size == count)

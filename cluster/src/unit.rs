@@ -7,7 +7,7 @@ use cga_city::lots::Sorter;
 use cga_city::problems::Problems;
 use cga_city::store::Store as _;
 use cga_city::tally::Tally;
-use cga_city::tree::{Block, TileEvent, Trees, block_lots};
+use cga_city::tree::{Block, TileEvent, Trees};
 use cga_geo::footprint::Footprint;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Serialize};
@@ -88,13 +88,7 @@ pub fn make_unit<'b>(
     };
     let (levels, store, most_bytes) = (&work.levels[..], &work.store, work.work.options.most_bytes);
     let trees = Trees { lots: &lots, levels, store, most_bytes, each: &each };
-    let blocks = || -> io::Result<Vec<Block>> {
-        let Some(all) = trees.piece(0..lots.len())? else { return Ok(Vec::new()) };
-        let pieces = trees.cut(all, block_lots(levels))?;
-        let blocks = pieces.into_iter().map(|piece| trees.block(piece));
-        Ok(blocks.collect::<io::Result<Vec<_>>>()?.into_iter().flatten().collect())
-    };
-    let blocks = threads(0)?.install(blocks).map_err(failed)?;
+    let blocks = threads(0)?.install(|| trees.blocks(|_| Ok(()))).map_err(failed)?;
     let mut tally = tally.into_inner().unwrap_or_else(PoisonError::into_inner);
     blocks.iter().for_each(|block| tally.add_name(&block.name));
     let mut problems = Problems::new(Vec::new());

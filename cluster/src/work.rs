@@ -1,6 +1,5 @@
 //! The work of a job as all machines know it: rules, columns and choices, in a file of the store.
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -129,12 +128,20 @@ pub fn published<T: DeserializeOwned>(store: &Objects, name: &str) -> Result<T, 
         .map_err(|why| unread(why.to_string()))
 }
 
-/// Values by their addresses. Files of the store that have a digest in their names are loaded once in a process.
-pub(crate) struct Cache<T>(Mutex<Option<HashMap<String, Arc<T>>>>);
+/// The number of values that a cache keeps.
+const KEPT: usize = 4;
+
+/// The values that were used last, by their addresses. Files of the store that have a digest in their names are seldom loaded twice.
+pub(crate) struct Cache<T>(Mutex<Vec<(String, Arc<T>)>>);
 
 impl<T> Cache<T> {
     pub(crate) const fn new() -> Self {
-        Cache(Mutex::new(None))
+        Cache(Mutex::new(Vec::new()))
+    }
+
+    /// Forgets the value of an address.
+    fn forget(&self, address: &str) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).retain(|(known, _)| known != address);
     }
 
     /// The value of an address `STORE/jobs/DIGEST.json`, which is loaded if it is not known.
@@ -144,22 +151,76 @@ impl<T> Cache<T> {
         load: impl FnOnce(Objects, &str) -> Result<T, String>,
     ) -> Result<Arc<T>, String> {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = known.get_or_insert_default();
-        if let Some(value) = known.get(address) {
-            return Ok(value.clone());
+        if let Some(at) = known.iter().position(|(name, _)| name == address) {
+            let found = known.remove(at);
+            let value = found.1.clone();
+            known.push(found);
+            return Ok(value);
         }
         let Some(at) = address.rfind("jobs/") else { return Err(format!("`{address}` is not a file of a job")) };
         let value = Arc::new(load(Objects::open(&address[..at])?, &address[at..])?);
-        known.insert(address.to_owned(), value.clone());
+        if known.len() == KEPT {
+            known.remove(0);
+        }
+        known.push((address.to_owned(), value.clone()));
         Ok(value)
     }
 }
 
-/// The work of an address.
+static WORKS: Cache<LoadedWork> = Cache::new();
+
+/// The work of an address. Its assets are read when the work is loaded.
 ///
 /// # Errors
 /// A sentence about the store or the rules.
 pub fn work_at(address: &str) -> Result<Arc<LoadedWork>, String> {
-    static KNOWN: Cache<LoadedWork> = Cache::new();
-    KNOWN.get(address, |store, name| LoadedWork::new(published(&store, name)?, store))
+    WORKS.get(address, |store, name| LoadedWork::new(published(&store, name)?, store))
+}
+
+/// The work of an address with a digest. If the work that is known has another one, its assets may have changed, and it is loaded again.
+///
+/// # Errors
+/// A sentence about the store or the rules, or the assets of this machine are not the assets of the client.
+pub(crate) fn work_with(address: &str, digest: &str) -> Result<Arc<LoadedWork>, String> {
+    let mut work = work_at(address)?;
+    if work.digest != digest {
+        WORKS.forget(address);
+        work = work_at(address)?;
+    }
+    if work.digest == digest {
+        return Ok(work);
+    }
+    Err(match &work.work.assets {
+        Some(folder) => format!(
+            "the folder `{}` has other files here than on the client; copy the folder of the client to all machines",
+            folder.display()
+        ),
+        None => "this machine has another version of cga-cluster than the client; install the same version".to_owned(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cache_keeps_the_values_that_were_used_last() {
+        let cache: Cache<u32> = Cache::new();
+        let loads = std::cell::Cell::new(0);
+        let get = |number: u32| {
+            let load = |_, _: &str| {
+                loads.set(loads.get() + 1);
+                Ok(number)
+            };
+            cache.get(&format!("file:///city/jobs/{number}.json"), load).expect("an address")
+        };
+        for number in [1, 2, 3, 4, 1, 5, 1] {
+            assert_eq!(*get(number), number);
+        }
+        assert_eq!(loads.get(), 5);
+        // The second one was used least recently.
+        get(2);
+        assert_eq!(loads.get(), 6);
+        assert_eq!(cache.0.lock().expect("a cache").len(), KEPT);
+    }
 }

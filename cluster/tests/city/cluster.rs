@@ -97,10 +97,10 @@ impl<'w> Cluster<'w> {
         Process::start(self.world, "submit.log", &["submit", "job.toml", "--scheduler", &self.address, "--quiet"])
     }
 
-    /// Waits until a third of the tiles is made.
+    /// Waits until a third of the tiles is made, and a unit is finished.
     fn wait_for_a_third(&self, expected: usize) {
         let begun = Instant::now();
-        while count(&self.world.path("out/tiles")) < expected / 3 {
+        while count(&self.world.path("out/tiles")) < expected / 3 || units(&self.world.path("out/units")).is_empty() {
             assert!(begun.elapsed() < Duration::from_secs(300), "no tile is made: {}", self.logs());
             sleep(Duration::from_millis(10));
         }
@@ -132,8 +132,8 @@ fn units(folder: &Path) -> BTreeMap<String, SystemTime> {
 }
 
 /// Lots of several units, all in one wave of a job with several parts, and the city that is expected.
-fn world() -> (World, BTreeMap<String, Vec<u8>>) {
-    let world = World::new(12, 1500, 100);
+fn world(rows: u64) -> (World, BTreeMap<String, Vec<u8>>) {
+    let world = World::new(12, rows, 100);
     world.write_job("out", &format!("{}partitions = 8\n", CHOICES.replace("wave_size = 1", "wave_size = 64")));
     let expected = files(&world.expected());
     (world, expected)
@@ -145,23 +145,39 @@ fn assert_whole(world: &World, expected: &BTreeMap<String, Vec<u8>>) {
     assert_eq!([&rows, &buildings], expected_failures(&world.path("expected")).each_ref());
 }
 
+/// The rows of a town. On a fast machine a job may end before its processes are killed; then it is tried with more rows.
+const ROWS: [u64; 3] = [1500, 6000, 24_000];
+
 #[test]
 fn a_job_whose_executor_is_killed_has_the_same_tiles() {
-    let (world, expected) = world();
+    assert!(ROWS.into_iter().any(killed_executor), "each job ended before its executor was killed");
+}
+
+/// False if the job had ended.
+fn killed_executor(rows: u64) -> bool {
+    let (world, expected) = world(rows);
     let cluster = Cluster::new(&world);
     let _scheduler = cluster.scheduler();
     let (_one, two) = (cluster.executor("one"), cluster.executor("two"));
     let mut submit = cluster.submit();
     cluster.wait_for_a_third(expected.len());
     two.kill();
-    assert!(!world.path("out/tileset.json").exists(), "the job was too fast");
+    if world.path("out/tileset.json").exists() {
+        return false;
+    }
     assert!(submit.ended_well(), "{}", cluster.logs());
     assert_whole(&world, &expected);
+    true
 }
 
 #[test]
 fn a_job_is_submitted_again_after_its_client_and_scheduler_were_killed() {
-    let (world, expected) = world();
+    assert!(ROWS.into_iter().any(killed_client), "each job ended before its client was killed");
+}
+
+/// False if the job had finished all its units.
+fn killed_client(rows: u64) -> bool {
+    let (world, expected) = world(rows);
     let cluster = Cluster::new(&world);
     let scheduler = cluster.scheduler();
     let (one, two) = (cluster.executor("one"), cluster.executor("two"));
@@ -170,9 +186,10 @@ fn a_job_is_submitted_again_after_its_client_and_scheduler_were_killed() {
     submit.kill();
     scheduler.kill();
     [one, two].into_iter().for_each(Process::kill);
-    assert!(!world.path("out/tileset.json").exists(), "the job was too fast");
     let finished = units(&world.path("out/units"));
-    assert!(!finished.is_empty(), "no unit was finished");
+    if world.path("out/tileset.json").exists() {
+        return false;
+    }
 
     let _scheduler = cluster.scheduler();
     let (_one, _two) = (cluster.executor("one"), cluster.executor("two"));
@@ -181,7 +198,23 @@ fn a_job_is_submitted_again_after_its_client_and_scheduler_were_killed() {
     let after = units(&world.path("out/units"));
     assert!(finished.iter().all(|(name, time)| after[name] == *time), "finished units were made again");
     let said = fs::read_to_string(world.path("submit.log")).expect("a log");
-    assert!(finished.len() < after.len());
     let counts = format!("{} units made, {} kept", after.len() - finished.len(), finished.len());
     assert!(said.contains(&counts), "{said}");
+    finished.len() < after.len()
+}
+
+#[test]
+fn a_job_without_an_executor_names_the_command_for_one() {
+    let world = World::new(1, 50, 0);
+    let cluster = Cluster::new(&world);
+    let _scheduler = cluster.scheduler();
+    let mut submit = cluster.submit();
+    let begun = Instant::now();
+    while !cluster.logs().contains("cga-cluster executor --scheduler 127.0.0.1:") {
+        assert!(begun.elapsed() < Duration::from_secs(300), "no message: {}", cluster.logs());
+        sleep(Duration::from_millis(50));
+    }
+    let _one = cluster.executor("one");
+    assert!(submit.ended_well(), "{}", cluster.logs());
+    assert_equal(&files(&world.path("out")), &files(&world.expected()));
 }

@@ -3,16 +3,19 @@
 use std::fs;
 
 use cga_cluster::engine::Engine;
+use cga_cluster::plan::{Plan, plan_at};
 use cga_cluster::store::Objects;
 use cga_cluster::work::{LoadedWork, publish};
 use cga_geo::reader::FileCrs;
 use datafusion::arrow::array::{Array as _, AsArray as _};
-use datafusion::prelude::ParquetReadOptions;
+use datafusion::arrow::datatypes::Int64Type;
+use datafusion::dataframe::DataFrameWriteOptions;
+use datafusion::prelude::{ParquetReadOptions, SessionContext};
 
 use crate::world::{CHOICES, World, assert_equal, expected_failures, failures, files};
 
 #[tokio::test(flavor = "multi_thread")]
-async fn tiles_and_failures_are_those_of_cga_city() {
+async fn tiles_and_failures_equal_the_output_of_cga_city() {
     let world = World::new(5, 2000, 100);
     let summary = world.run().await.expect("a city");
     let expected = world.expected();
@@ -23,6 +26,7 @@ async fn tiles_and_failures_are_those_of_cga_city() {
     assert!(100 <= rows.iter().filter(|line| line.contains(" true ")).count());
     assert!(!buildings.is_empty() && buildings.len() as u64 == summary.lost + summary.notes);
     assert_eq!(rows.len() as u64, summary.failed_rows);
+    assert_eq!(rows.iter().filter(|line| line.contains(" true ")).count() as u64, summary.lost_rows);
     assert_eq!((summary.units_made, summary.units_kept), (5, 0));
 }
 
@@ -36,7 +40,7 @@ async fn finished_units_and_tiles_are_not_made_again() {
     assert_eq!((again.units_made, again.units_kept), (0, 3));
 
     // A run that was stopped: a unit without a file, and a tile that is damaged.
-    let unit = cga_city_file(&out.join("units"));
+    let unit = first_file(&out.join("units"));
     fs::remove_file(&unit).expect("a file");
     let tile = made.keys().find(|name| name.ends_with(".glb")).expect("a tile");
     fs::write(out.join(tile), "damaged").expect("room");
@@ -57,12 +61,134 @@ async fn finished_units_and_tiles_are_not_made_again() {
     assert_ne!(files(&out), made);
 }
 
+#[tokio::test(flavor = "multi_thread")]
+async fn a_job_that_was_stopped_inside_of_a_unit_leaves_no_tiles_to_the_job_before() {
+    let world = World::new(2, 300, 0);
+    world.run().await.expect("a city");
+    let out = world.path("out");
+    let first = files(&out);
+
+    // Other rules, whose job ends after the tiles of a block and before its file.
+    let set = first_file(&out.join("sets"));
+    let bytes = fs::read(&set).expect("a file");
+    fs::remove_file(&set).expect("a file");
+    fs::create_dir_all(set.join("full")).expect("room");
+    world.write_job("out", &format!("{CHOICES}set = {{ slope = 50 }}"));
+    let error = world.run().await.expect_err("stopped");
+    assert!(error.contains("cannot make the unit"), "{error}");
+    fs::remove_dir_all(&set).expect("a folder");
+    fs::write(&set, bytes).expect("room");
+    assert_ne!(files(&out), first);
+
+    world.write_job("out", CHOICES);
+    world.run().await.expect("a city");
+    assert_equal(&files(&out), &first);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn changed_assets_make_other_tiles_in_the_same_process() {
+    let world = World::new(2, 50, 0);
+    fs::create_dir(world.path("assets")).expect("room");
+    fs::write(world.path("house.cga"), "@StartRule Lot --> i(\"sign.obj\") X.").expect("room");
+    world.write_job("out", "assets = \"assets\"\n");
+    let mut cities = Vec::new();
+    for faces in ["f 1 2 3\nf 1 3 4\n", "f 1 2 3\nf 1 3 4\nf 1 2 4\n"] {
+        let mesh = format!("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 1\n{faces}");
+        fs::write(world.path("assets/sign.obj"), mesh).expect("room");
+        world.run().await.expect("a city");
+        cities.push(files(&world.path("out")));
+        assert_equal(&cities[cities.len() - 1], &files(&world.expected()));
+    }
+    assert_ne!(cities[0], cities[1]);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_machine_with_other_assets_than_the_client_makes_no_tiles() {
+    let world = World::new(1, 20, 0);
+    fs::create_dir(world.path("assets")).expect("room");
+    fs::write(world.path("assets/sign.obj"), "v 0 0 0").expect("room");
+    world.write_job("out", "assets = \"assets\"\n");
+    let job = world.job();
+    let store = Objects::open(&job.store).expect("a store");
+    let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
+    let name = publish(&store, &work.work).expect("room");
+    let plan_of = |digest: &str| {
+        let plan = Plan::new(name.clone(), digest, Vec::new(), 1, 1);
+        plan_at(&format!("{}/{}", job.store, publish(&store, &plan).expect("room")))
+    };
+    assert!(plan_of(&work.digest).is_ok());
+    let error = plan_of("another").expect_err("refused");
+    assert!(error.contains("assets` has other files here than on the client"), "{error}");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn lots_in_folders_of_folders_are_lots() {
+    let world = World::new(2, 100, 0);
+    let expected = files(&world.expected());
+    fs::create_dir_all(world.path("lots/part/deep")).expect("room");
+    fs::rename(&world.lots()[1], world.path("lots/part/deep/town.parquet")).expect("a file");
+    world.run().await.expect("a city");
+    assert_equal(&files(&world.path("out")), &expected);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn ids_of_other_types_have_the_texts_of_cga_city() {
+    for id in ["Date32", "Timestamp(Millisecond, None)", "Timestamp(Microsecond, None)", "Decimal128(20, 3)", "Utf8"] {
+        let world = World::new(1, 60, 0);
+        cast_ids(&world, id).await;
+        world.run().await.expect("a city");
+        assert_equal(&files(&world.path("out")), &files(&world.expected()));
+    }
+    let world = World::new(1, 60, 0);
+    cast_ids(&world, "Timestamp(Nanosecond, None)").await;
+    let error = world.run().await.expect_err("refused");
+    assert!(error.contains("the column `id` has the type Timestamp"), "{error}");
+}
+
+/// Gives the ids of the first town another type.
+async fn cast_ids(world: &World, kind: &str) {
+    let (context, lots) = (SessionContext::new(), &world.lots()[0]);
+    let options = ParquetReadOptions::default();
+    context.register_parquet("lots", &*lots.to_string_lossy(), options).await.expect("lots");
+    // Dates have 32 bits.
+    let whole = if kind == "Date32" { "arrow_cast(id, 'Int32')" } else { "id * 1000001" };
+    let sql = format!("select arrow_cast({whole}, '{kind}') as id, height, floors, kind, geometry from lots");
+    let path = world.path("cast.parquet");
+    let rows = context.sql(&sql).await.expect("a query");
+    rows.write_parquet(&path.to_string_lossy(), DataFrameWriteOptions::new(), None).await.expect("room");
+    fs::rename(path, lots).expect("room");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_wrong_call_of_a_function_is_refused_with_the_type_that_is_wanted() {
+    let world = World::new(1, 20, 0);
+    let context = Engine::embedded(1).expect("an engine").context;
+    let lots = world.lots()[0].to_string_lossy().into_owned();
+    context.register_parquet("lots", &*lots, ParquetReadOptions::default()).await.expect("lots");
+    let columns = "named_struct('height', height)";
+    for (call, why) in [
+        (format!("cga_lots(7, geometry, {columns})"), "write the address of a file in the store"),
+        (format!("cga_building('a', height, {columns})"), "write a geometry as WKB"),
+        ("cga_failures('a', geometry, height)".to_owned(), "write a group of columns"),
+        ("cga_building('a', geometry, named_struct('a', [1]))".to_owned(), "the column `a` has the type List"),
+        ("cga_unit('a', kind)".to_owned(), "write a whole number"),
+        ("cga_tile('a', 1, geometry)".to_owned(), "write footprints"),
+        ("cga_tile('a', 1, [1, 2])".to_owned(), "write footprints"),
+        (format!("cga_building(concat('a', id), geometry, {columns})"), "write a query for each address"),
+        (format!("cga_building('a', geometry, {columns})"), "`a` is not a file of a job"),
+    ] {
+        let rows = async { context.sql(&format!("select {call} from lots")).await?.collect().await };
+        let error = rows.await.expect_err(&call).strip_backtrace();
+        assert!(error.contains(why), "{call}: {error}");
+    }
+}
+
 /// The first file below a folder.
-fn cga_city_file(folder: &std::path::Path) -> std::path::PathBuf {
+fn first_file(folder: &std::path::Path) -> std::path::PathBuf {
     let mut entries: Vec<_> =
         fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path()).collect();
     entries.sort();
-    if entries[0].is_dir() { cga_city_file(&entries[0]) } else { entries.remove(0) }
+    if entries[0].is_dir() { first_file(&entries[0]) } else { entries.remove(0) }
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -94,6 +220,26 @@ async fn a_row_becomes_a_building_or_a_reason() {
         }
     }
     assert_eq!((buildings, reasons), (90, 10));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_building_without_a_face_has_a_reason() {
+    let world = World::new(1, 20, 0);
+    fs::write(world.path("house.cga"), "@StartRule Lot --> NIL").expect("room");
+    world.write_job("out", "");
+    let (job, engine) = (world.job(), Engine::embedded(1).expect("an engine"));
+    let store = Objects::open(&job.store).expect("a store");
+    let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
+    let name = publish(&store, &work.work).expect("room");
+    let lots = world.lots()[0].to_string_lossy().into_owned();
+    engine.context.register_parquet("lots", &*lots, ParquetReadOptions::default()).await.expect("lots");
+    let sql = format!(
+        "select count(*) from (select cga_building('{}/{name}', geometry, named_struct('id', id)) as made from lots) \
+         where made['glb'] is null and made['reason'] = 'the rules make no face'",
+        job.store
+    );
+    let batches = engine.context.sql(&sql).await.expect("a query").collect().await.expect("rows");
+    assert_eq!(batches[0].column(0).as_primitive::<Int64Type>().value(0), 20);
 }
 
 #[tokio::test(flavor = "multi_thread")]

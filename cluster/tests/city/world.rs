@@ -59,6 +59,11 @@ impl World {
         std::fs::write(self.path("job.toml"), text).expect("room");
     }
 
+    /// The files of lots.
+    pub(crate) fn lots(&self) -> &[PathBuf] {
+        &self.lots
+    }
+
     pub(crate) fn job(&self) -> Job {
         Job::open(&self.path("job.toml")).expect("a job")
     }

@@ -298,17 +298,12 @@ impl Options {
 
 /// The blocks of the city, and its root.
 fn root(trees: &Trees<'_>, log: &Mutex<Tally>, problems: &mut Problems) -> io::Result<Node> {
-    let Some(all) = trees.piece(0..trees.lots.len())? else {
-        return Ok(tree::root(Cell::WORLD, []));
-    };
-    let cell = all.cell;
-    let mut blocks = Vec::new();
-    for piece in trees.cut(all, tree::block_lots(trees.levels))? {
-        let block = trees.block(piece)?;
+    let cell = trees.piece(0..trees.lots.len())?.map_or(Cell::WORLD, |all| all.cell);
+    let blocks = trees.blocks(|block| {
         let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
         log.write_problems(problems)?;
         block.iter().for_each(|block| log.add_name(&block.name));
-        blocks.extend(block);
-    }
+        Ok(())
+    })?;
     Ok(tree::root(cell, blocks))
 }

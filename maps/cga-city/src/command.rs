@@ -27,7 +27,7 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
     let choices = Options {
         levels: options.lod.clone(),
         lots_per_tile: options.tile_lots,
-        most_bytes: options.tile_size << 10,
+        most_bytes: options.tile_size.saturating_mul(1 << 10),
         jobs: options.jobs.map(|jobs| jobs as usize),
     };
     // Wrong levels are reported before a file is read.
@@ -120,14 +120,7 @@ fn rules(options: &CityOptions) -> Result<Rules, Problem> {
 
 fn columns(options: &CityOptions, rules: &Rules) -> Result<Columns, Problem> {
     let named = options.attributes.iter().map(|(_, name)| name).chain(&options.footing);
-    for name in named {
-        let has = |grammar: &&dyn cga::Grammar| grammar.attributes().iter().any(|attribute| attribute.name.is(name));
-        if !rules.grammars().iter().any(has) {
-            return Err(Problem::unusable(format!(
-                "`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"
-            )));
-        }
-    }
+    rules.check_attributes(named.map(String::as_str)).map_err(Problem::unusable)?;
     Ok(Columns {
         id: options.id.clone(),
         grammar: options.grammar_column.clone(),

@@ -53,12 +53,13 @@ pub fn is_tile_or_block(name: &str) -> bool {
     let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     let Some((path, ending)) = name.rsplit_once('.') else { return false };
     let parts: Vec<&str> = path.split('/').collect();
+    // Halves of the lots of a smallest cell have letters.
+    let is_row = |row: &str| is_number(row.trim_end_matches(['a', 'b']));
     match parts[..] {
         ["tiles", level, zoom, column, row] => {
-            let row = row.trim_end_matches(['a', 'b']);
-            ["glb", "json"].contains(&ending) && [level, zoom, column, row].into_iter().all(is_number)
+            ["glb", "json"].contains(&ending) && [level, zoom, column].into_iter().all(is_number) && is_row(row)
         }
-        ["sets", zoom, column, row] => ending == "json" && [zoom, column, row].into_iter().all(is_number),
+        ["sets", zoom, column, row] => ending == "json" && [zoom, column].into_iter().all(is_number) && is_row(row),
         _ => false,
     }
 }
@@ -69,11 +70,13 @@ mod tests {
 
     #[test]
     fn names_of_tiles_and_blocks_are_known() {
-        for name in ["tiles/0/17/69000/43000.glb", "tiles/12/28/1/2ab.json", "sets/12/2157/1343.json"] {
+        for name in
+            ["tiles/0/17/69000/43000.glb", "tiles/12/28/1/2ab.json", "sets/12/2157/1343.json", "sets/28/1/2ba.json"]
+        {
             assert!(is_tile_or_block(name) && is_of_city(name), "{name}");
         }
         for name in
-            ["tiles/lots.json", "tiles/0/17/house.glb", "tiles/0/1/2/3.txt", "sets/0/1/2/3.json", "tiles/0/1/2/a.glb"]
+            ["tiles/0/17/house.glb", "tiles/0/1/2/3.txt", "sets/0/1/2/3.json", "tiles/0/1/2/a.glb", "sets/0/1/a.json"]
         {
             assert!(!is_tile_or_block(name), "{name}");
         }

@@ -76,6 +76,22 @@ impl Rules {
         self.files.iter().map(|file| file as &dyn Grammar).collect()
     }
 
+    /// Checks names of attributes that columns set.
+    ///
+    /// # Errors
+    /// A sentence with a name that no file has.
+    pub fn check_attributes<'n>(&self, mut names: impl Iterator<Item = &'n str>) -> Result<(), String> {
+        let has = |name: &str| {
+            self.files.iter().any(|file| file.attributes().iter().any(|attribute| attribute.name.is(name)))
+        };
+        match names.find(|name| !has(name)) {
+            Some(name) => {
+                Err(format!("`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"))
+            }
+            None => Ok(()),
+        }
+    }
+
     /// The warnings about the rules.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
         self.files.iter().flat_map(|file| file.warnings()).map(String::as_str)

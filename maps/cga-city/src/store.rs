@@ -27,9 +27,13 @@ pub trait Store: Sync {
     /// Returns true if a file has its bytes, by their number and their digest in hexadecimal digits.
     fn is_whole(&self, name: &str, count: u64, digest: &str) -> bool {
         // A file system that was full or without power may have left others, also of the same length.
-        let is_whole = |bytes: &[u8]| bytes.len() as u64 == count && digest_of(bytes) == digest;
-        matches!(self.read(name), Ok(Some(bytes)) if is_whole(&bytes))
+        matches!(self.read(name), Ok(Some(bytes)) if has_digest(&bytes, count, digest))
     }
+}
+
+/// Returns true if bytes have a number and a digest in hexadecimal digits.
+pub fn has_digest(bytes: &[u8], count: u64, digest: &str) -> bool {
+    bytes.len() as u64 == count && digest_of(bytes) == digest
 }
 
 /// The digest of a file in hexadecimal digits.

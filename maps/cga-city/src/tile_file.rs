@@ -43,7 +43,8 @@ impl TileFile {
         (found.digest == digest && is_whole()).then_some(found)
     }
 
-    /// Writes a tile. The description comes last, so a tile with a description is whole.
+    /// Writes a tile. The old description is deleted first and the new one comes last, so a description never belongs to another file, also
+    /// after a run that was stopped.
     ///
     /// # Errors
     /// Errors of the store.
@@ -66,12 +67,14 @@ impl TileFile {
             problems: content.problems,
             problems_left_out: content.problems_left_out,
         };
+        let description = description(glb);
+        store.delete(&description)?;
         if content.glb.is_empty() {
             store.delete(glb)?;
         } else {
             store.write(glb, content.glb)?;
         }
-        store.write(&description(glb), serde_json::to_vec(&file)?)?;
+        store.write(&description, serde_json::to_vec(&file)?)?;
         Ok(file)
     }
 }
@@ -80,6 +83,49 @@ impl TileFile {
 mod tests {
     use super::*;
     use crate::store::Folder;
+
+    /// A store that stops before the description of a tile, and compares sizes as remote stores do.
+    struct Stopped(Folder);
+
+    impl Store for Stopped {
+        fn read(&self, name: &str) -> io::Result<Option<Vec<u8>>> {
+            self.0.read(name)
+        }
+
+        fn write(&self, name: &str, bytes: Vec<u8>) -> io::Result<()> {
+            if name.ends_with(".json") {
+                return Err(io::Error::other("stopped"));
+            }
+            self.0.write(name, bytes)
+        }
+
+        fn delete(&self, name: &str) -> io::Result<()> {
+            self.0.delete(name)
+        }
+
+        fn is_whole(&self, name: &str, count: u64, _: &str) -> bool {
+            matches!(self.read(name), Ok(Some(bytes)) if bytes.len() as u64 == count)
+        }
+    }
+
+    #[test]
+    fn a_tile_that_is_half_written_has_no_description() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (store, name) = (Folder(folder.path().to_owned()), "0/1/2.glb");
+        let content = |byte: u8| Content {
+            glb: vec![byte; 100],
+            bounds: Bounds { low: [0.0; 3], high: [1.0; 3] },
+            buildings: 1,
+            problems: Vec::new(),
+            problems_left_out: 0,
+        };
+        TileFile::write(&store, name, "d".into(), Some(content(7))).expect("room");
+        let stopped = Stopped(store);
+        assert!(TileFile::finished(&stopped, name, "d").is_some());
+        TileFile::write(&stopped, name, "e".into(), Some(content(8))).expect_err("stopped");
+        // The file has other bytes of the same number.
+        assert_eq!(TileFile::finished(&stopped, name, "d"), None);
+    }
 
     #[test]
     fn a_tile_is_finished_if_its_digest_and_its_file_are_whole() {

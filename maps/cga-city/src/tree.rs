@@ -130,14 +130,30 @@ impl Trees<'_> {
     /// Errors of the store, and an error of [`each`](Trees::each).
     pub fn block(&self, piece: Piece) -> io::Result<Option<Block>> {
         let cell = piece.cell;
+        // Lots that are all in one smallest cell may be several blocks.
+        let name = format!("sets/{cell}{}.json", piece.half);
         let nodes = self.nodes(piece, self.levels.len() - 1)?;
         if nodes.is_empty() {
             return Ok(None);
         }
         let tree = Node::around(Frame::at(cell.middle()), nodes);
-        let name = format!("sets/{cell}.json");
         self.store.write(&name, set(&tree))?;
         Ok(Some(Block { name, cell, bounds: [tree.bounds.low, tree.bounds.high], error: tree.error }))
+    }
+
+    /// Makes all blocks, one after another, and calls a function after each: `None` for a block without a face.
+    ///
+    /// # Errors
+    /// As [`block`](Trees::block), and an error of the function.
+    pub fn blocks(&self, mut after: impl FnMut(Option<&Block>) -> io::Result<()>) -> io::Result<Vec<Block>> {
+        let Some(all) = self.piece(0..self.lots.len())? else { return Ok(Vec::new()) };
+        let mut blocks = Vec::new();
+        for piece in self.cut(all, block_lots(self.levels))? {
+            let block = self.block(piece)?;
+            after(block.as_ref())?;
+            blocks.extend(block);
+        }
+        Ok(blocks)
     }
 
     /// The piece of a range of lots, if it has some.
@@ -246,5 +262,54 @@ impl Trees<'_> {
             digest.update(&entry.digest);
         }
         Ok(digest.finalize().to_hex().to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cga::RuleFile;
+    use cga_geo::footprint::Footprint;
+
+    use super::*;
+    use crate::leftovers::is_tile_or_block;
+    use crate::level::Level;
+    use crate::lots::Sorter;
+    use crate::rules::Rules;
+    use crate::store::Folder;
+
+    #[test]
+    fn blocks_of_one_smallest_cell_have_names_of_their_own() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut sorter = Sorter::new(folder.path());
+        for id in 0..8 {
+            let footprint = Footprint {
+                id: id.to_string(),
+                seed: id,
+                grammar: None,
+                start: None,
+                values: Vec::new(),
+                rings: vec![vec![[9.0, 48.0], [9.0001, 48.0], [9.0001, 48.0001], [9.0, 48.0001]]],
+                base: 0.0,
+            };
+            sorter.add(&footprint).expect("room");
+        }
+        let lots = sorter.finish().expect("room");
+        let file = RuleFile::from_text("@StartRule Lot --> extrude(9) X.").expect("good rules");
+        let rules = Rules::new(vec![file]).expect("rules").at(&Level::default()).expect("rules");
+        let store = Folder(folder.path().join("city"));
+        let levels = [TreeLevel { rules, lots: 2, error: 0.0 }];
+        let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: u64::MAX, each: &|_| Ok(()) };
+        let all = trees.piece(0..8).expect("lots").expect("lots");
+        let pieces = trees.cut(all, 4).expect("pieces");
+        let blocks: Vec<Block> =
+            pieces.into_iter().map(|piece| trees.block(piece).expect("room").expect("faces")).collect();
+        assert_eq!(blocks.len(), 2);
+        assert_ne!(blocks[0].name, blocks[1].name);
+        for block in &blocks {
+            assert!(is_tile_or_block(&block.name), "{}", block.name);
+            let set = store.read(&block.name).expect("a file").expect("a file");
+            let set = String::from_utf8(set).expect("a text");
+            assert_eq!(set.matches(".glb").count(), 2, "{set}");
+        }
     }
 }

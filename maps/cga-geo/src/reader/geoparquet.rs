@@ -14,7 +14,7 @@ use serde_json::Value as Json;
 
 use super::collector::Collector;
 use super::quiet::quiet;
-use super::{FileCrs, MapFile};
+use super::{FileCrs, MapFile, parquet_text};
 use crate::column::ColumnValue;
 use crate::outline::Outline;
 use crate::row::Row;
@@ -190,7 +190,10 @@ fn add(columns: &mut Vec<(String, ColumnValue)>, name: String, field: Field) {
         Field::Double(number) => ColumnValue::Number(number),
         Field::Str(text) => ColumnValue::Text(text),
         // Dates, decimal numbers: as text that is read as a number where an attribute is one.
-        other => ColumnValue::Text(other.to_string()),
+        other => match parquet_text::of_field(&other) {
+            Some(text) => ColumnValue::Text(text),
+            None => return,
+        },
     };
     columns.push((name, value));
 }

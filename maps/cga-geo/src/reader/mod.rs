@@ -15,6 +15,8 @@ pub mod geoparquet;
 mod json_objects;
 #[cfg(feature = "geojson")]
 mod json_records;
+#[cfg(feature = "geoparquet")]
+pub mod parquet_text;
 mod quiet;
 #[cfg(feature = "shapefile")]
 pub mod shapefile;
