@@ -17,7 +17,8 @@ use crate::value::{from_python, to_python};
 ///
 /// `geometry` is a polygon in metres: a ring of corners, a list of rings (the outer ring, then holes), an array of NumPy with N × 2 or N × 3
 /// numbers, WKB, GeoJSON as a dict or text, or an object with `__geo_interface__`, such as a geometry of shapely. Its x is to the east
-/// and its y to the north; rules see (x, y, z) as (x, z, −y). A polygon with z stands at the lowest z of its outer ring; `height` replaces it.
+/// and its y to the north; rules see (x, y, z) as (x, z, −y). The height of a polygon with z is the lowest z of its outer ring;
+/// `height` sets another one.
 /// `origin` is the place of the model's origin on the map.
 #[pyclass(frozen, module = "pycga")]
 #[derive(Debug)]

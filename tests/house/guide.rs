@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use super::links::slug;
 use cga_tests::tree::root;
 use cga_tests::tutorial::{Declaration, INLINE, declarations, steps, text};
 
@@ -87,6 +88,5 @@ fn section(text: &str, anchor: &str) -> Option<String> {
     if anchor.is_empty() {
         return Some(text.into());
     }
-    let slug = |heading: &str| heading.to_lowercase().replace(' ', "-").replace(['.', ',', '?'], "");
     text.split("\n## ").find(|part| slug(part.lines().next().unwrap_or_default()) == anchor).map(str::to_owned)
 }

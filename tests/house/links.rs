@@ -45,6 +45,13 @@ fn definition(line: &str) -> Option<(&str, &str)> {
     Some((label, target.split_whitespace().next()?))
 }
 
+/// The anchor of a heading, as GitHub and rustdoc make it.
+pub(super) fn slug(heading: &str) -> String {
+    let heading = heading.to_lowercase();
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | ' '));
+    kept.map(|c| if c == ' ' { '-' } else { c }).collect()
+}
+
 /// The anchors of a page: anchors of headings, as GitHub and rustdoc make them, and explicit ones.
 fn anchors(text: &str) -> HashSet<String> {
     let mut list: HashSet<String> =
@@ -53,9 +60,7 @@ fn anchors(text: &str) -> HashSet<String> {
     for line in text.lines() {
         in_code ^= line.trim_start().starts_with("```");
         let Some(heading) = line.strip_prefix('#').filter(|_| !in_code) else { continue };
-        let heading = heading.trim_start_matches('#').trim().to_lowercase();
-        let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | ' '));
-        let slug: String = kept.map(|c| if c == ' ' { '-' } else { c }).collect();
+        let slug = slug(heading.trim_start_matches('#').trim());
         let same = (1..).map(|count| format!("{slug}-{count}")).find(|other| !list.contains(other));
         let slug = if list.contains(&slug) { same.expect("a free number") } else { slug };
         list.insert(slug);

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-use cga::{Error, Settings, Shape, Text, Watch, cga};
+use cga::{Error, Grammar, Settings, Shape, Text, Watch, cga};
 use cga_lang::ops::{Changes, all_operations};
 use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes};
 
@@ -95,6 +95,13 @@ fn rules_that_only_measure_are_stopped() {
     }
 }
 
+/// Runs a start rule with a limit of bytes.
+fn run_with_bytes(rules: &dyn Grammar, start: &str, bytes: u64) -> Result<cga::Model, Error> {
+    let limits = cga::Limits { bytes, ..cga::Limits::default() };
+    let settings = Settings { start: Some(start.to_owned()), limits, ..Settings::default() };
+    rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings)
+}
+
 /// Nested calls hold their arguments.
 #[test]
 fn long_values_of_nested_calls_have_a_limit_in_all() {
@@ -114,14 +121,9 @@ fn long_values_of_nested_calls_have_a_limit_in_all() {
         Held(text, n) --> case n < 300 : [ Held(text + n, n + 1) ] Told(text) else : X.
         Told(text) --> case text == "" : Y. else : X.
     };
-    let run = |start: &str, bytes: u64| {
-        let limits = cga::Limits { bytes, ..cga::Limits::default() };
-        let settings = Settings { start: Some(start.to_owned()), limits, ..Settings::default() };
-        rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings)
-    };
     for start in ["Joined", "Cut", "Listed"] {
-        assert!(run(start, 30_000_000).is_ok(), "{start}");
-        let error = run(start, 10_000_000).expect_err("20 MB of values");
+        assert!(run_with_bytes(&rules, start, 30_000_000).is_ok(), "{start}");
+        let error = run_with_bytes(&rules, start, 10_000_000).expect_err("20 MB of values");
         assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{start}: {error}");
     }
 }
@@ -160,18 +162,13 @@ fn results_of_rust_functions_have_a_limit_in_all() {
         HeldShort(text, n) --> [ Short(n + 1) ] Told(text)
         Told(text) --> case text == "" : Y. else : X.
     };
-    let run = |start: &str, bytes: u64| {
-        let limits = cga::Limits { bytes, ..cga::Limits::default() };
-        let settings = Settings { start: Some(start.to_owned()), limits, ..Settings::default() };
-        rules.generate_with(&Shape::rectangle(1.0, 1.0), &settings)
-    };
     for start in ["Text", "List", "Texts"] {
-        assert!(run(start, 11_000_000).is_ok(), "{start}");
-        let error = run(start, 9_000_000).expect_err("10 MB of values");
+        assert!(run_with_bytes(&rules, start, 11_000_000).is_ok(), "{start}");
+        let error = run_with_bytes(&rules, start, 9_000_000).expect_err("10 MB of values");
         assert!(matches!(error, Error::Limit { what: cga::LimitKind::Bytes, .. }), "{start}: {error}");
     }
     // 200 bytes a call do not count.
-    assert!(run("Short", 100_000).is_ok());
+    assert!(run_with_bytes(&rules, "Short", 100_000).is_ok());
 }
 
 /// A run in a sink of a run that was stopped has its own watch, or none.

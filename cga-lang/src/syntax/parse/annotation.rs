@@ -17,7 +17,7 @@ impl Parser<'_> {
         self.bump();
         let Some(name) = self.take_name() else {
             let failed = self.fail("the name of an annotation");
-            // Of many signs in a row, the first and the last are reported.
+            // Many signs in a row are two mistakes, not one for each sign.
             while self.is(Sym::At) && self.nth_is(1, Sym::At) {
                 self.bump();
             }
