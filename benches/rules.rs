@@ -1,7 +1,8 @@
 //! Rules as people write them: arguments, attributes with chance, colours that are drawn, beside the same rules with constants, and the
 //! scenes of the gallery.
 //!
-//! `cargo bench --bench rules`; words after `--` choose rows by parts of their names, as in `-- bridge temple`.
+//! `cargo bench --bench rules`; words after `--` choose rows by parts of their names, as in `-- bridge temple`. With `-- --instructions` it
+//! counts the instructions of the scenes instead.
 //!
 //! A town of 100 houses; the columns are the share of leaves that are replayed together, and the time of a leaf without output, in
 //! buffers, and relative to the first row of the table.
@@ -15,6 +16,7 @@ mod scenes;
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use cga::glam::DAffine3;
@@ -22,6 +24,7 @@ use cga::sink::buffers::Buffers;
 use cga::sink::{Filled, Replay};
 use cga::{DynSession, Flow, Grammar, Leaf, Mesh, Model, Settings, Shape, Sink};
 use common::clock::{fastest, nanoseconds_each};
+use common::instructions::{Work, counted};
 use common::table::{Table, number};
 
 /// The seconds for which each row is repeated.
@@ -35,6 +38,12 @@ const HOUSES: u32 = 100;
 struct Counts {
     replayed: usize,
     others: usize,
+}
+
+impl Counts {
+    fn leaves(&self) -> usize {
+        self.replayed + self.others
+    }
 }
 
 impl Sink for Counts {
@@ -122,7 +131,7 @@ fn table(title: &str, each: Each, subjects: &[Subject<'_>]) {
         }
         let mut counts = Counts::default();
         run(&mut counts);
-        let leaves = counts.replayed + counts.others;
+        let leaves = counts.leaves();
         let mut out = Buffers::new();
         run(&mut out);
         let triangles = out.triangle_count();
@@ -170,11 +179,29 @@ fn windows(run: &Run<'_>) -> usize {
     model.leaves().filter(|leaf| leaf.rule() == "Window").count()
 }
 
+/// The derivation of each scene without output, counted in instructions.
+fn works(subjects: Vec<Subject<'static>>) -> Vec<Work> {
+    let work = |Subject { name, run }| {
+        let run: Rc<Run<'static>> = Rc::from(run);
+        Work::new(&name, move || {
+            let mut counts = Counts::default();
+            run(&mut counts);
+            let run = run.clone();
+            (counts.leaves(), move || run(&mut Counts::default()))
+        })
+    };
+    subjects.into_iter().map(work).collect()
+}
+
 fn main() {
+    let scenes: &'static [scenes::Scene] = scenes::scenes().leak();
+    if counted("Scenes of the gallery", "leaf", &works(gallery(scenes))) {
+        return;
+    }
     let lots = lots();
     table("Arguments", Each::Leaf, &towns(&houses::arguments(), &lots));
     table("Colours", Each::Leaf, &towns(&houses::colours(), &lots));
     table("Attributes with chance", Each::Leaf, &towns(&houses::chances(), &lots));
     table("Operations in each window", Each::Window, &towns(&houses::operations(), &lots));
-    table("Scenes of the gallery", Each::Triangle, &gallery(&scenes::scenes()));
+    table("Scenes of the gallery", Each::Triangle, &gallery(scenes));
 }

@@ -14,8 +14,8 @@ const SPARSE: usize = 16;
 
 /// The numbers of the points of a mesh in an extract of it.
 enum PointNumbers {
-    /// The points so far, in the order of their numbers.
-    Few(Vec<u32>),
+    /// The points so far, in the order of their numbers, and their count.
+    Few([u32; FEW], usize),
     /// For each point of the mesh its number, or `u32::MAX`.
     All(Vec<u32>),
     /// The numbers by point.
@@ -26,7 +26,7 @@ impl PointNumbers {
     /// No numbers yet, for a number of corners of a mesh with `points` points.
     fn new(corners: usize, points: usize) -> Self {
         if corners <= FEW {
-            PointNumbers::Few(Vec::with_capacity(corners))
+            PointNumbers::Few([0; FEW], 0)
         } else if points / SPARSE <= corners {
             PointNumbers::All(vec![u32::MAX; points])
         } else {
@@ -37,16 +37,14 @@ impl PointNumbers {
     /// The number of a point: `next` if it has none yet.
     fn number(&mut self, point: u32, next: u32) -> u32 {
         match self {
-            PointNumbers::Few(seen) => {
-                let known = seen.iter().position(|&other| other == point);
-                known.map_or_else(
-                    || {
-                        seen.push(point);
-                        next
-                    },
-                    |number| number as u32,
-                )
-            }
+            PointNumbers::Few(seen, count) => match seen[..*count].iter().position(|&other| other == point) {
+                Some(number) => number as u32,
+                None => {
+                    seen[*count] = point;
+                    *count += 1;
+                    next
+                }
+            },
             PointNumbers::All(numbers) => {
                 let number = &mut numbers[point as usize];
                 *number = if *number == u32::MAX { next } else { *number };
@@ -60,10 +58,13 @@ impl PointNumbers {
 /// A mesh of the given faces, in their order, in the coordinates of a frame. Shared points stay shared, and unused
 /// points are dropped. Tags (of faces, edges and vertices), texture coordinates and normals are kept. Faces that do not exist are ignored.
 pub fn extract(mesh: &Mesh, faces: &[u32], to: &Frame) -> Mesh {
+    let loops = faces.len();
     let faces = faces.iter().map(|&index| index as usize).filter(|&index| index < mesh.face_count());
     let corners = faces.clone().map(|index| mesh.face_corners(index).len()).sum();
     let mut numbers = PointNumbers::new(corners, mesh.points().len());
     let mut part = Derivation::by_corners(mesh, corners);
+    // As many points as corners in a single face.
+    part.make_room(corners.min(mesh.points().len()), corners, loops);
     for face in faces.map(|index| mesh.face(index)) {
         for ring in face.loop_ranges() {
             for corner in ring {

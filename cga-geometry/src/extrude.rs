@@ -13,6 +13,7 @@ use glam::DVec3;
 use crate::average_normal::AverageNormal;
 use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::disjoint::DisjointSets;
+use crate::each::Each;
 use crate::mesh::pair_table::PairTable;
 use crate::mesh::{Bounds, FaceRef, Mesh, flip};
 use crate::provenance::Extruded;
@@ -61,12 +62,19 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
         Extrude::FlatTop(vector) => flat_top(mesh.points(), vector, distance),
     };
     let way = |body: u32, point: u32| ways[if along == Extrude::FaceNormal { body } else { point } as usize];
+    let corners = mesh.corners().len();
     let mut grown = Grown {
         source: mesh,
-        made: Derivation::new(mesh, CornerValues::Coordinates, 6 * mesh.corners().len()),
+        made: Derivation::new(mesh, CornerValues::Coordinates, 6 * corners),
         low: vec![u32::MAX; mesh.points().len()],
-        high: PairTable::with_capacity(mesh.points().len()),
+        high: PairTable::with_capacity(if joints.are_one_body() { 0 } else { mesh.points().len() }),
+        only_high: vec![u32::MAX; if joints.are_one_body() { mesh.points().len() } else { 0 }],
+        bottom: Vec::new(),
+        top: Vec::new(),
     };
+    // A bottom and a top with all corners, and a wall of four corners at each edge.
+    let walls = joints.inner.iter().filter(|is_inner| !**is_inner).count();
+    grown.made.make_room(2 * mesh.points().len(), 2 * corners + 4 * walls, 2 * mesh.loop_ends.len() + walls);
     for (index, face) in mesh.faces().enumerate() {
         let body = joints.body[index];
         if face.corner_range().any(|corner| way(body, mesh.corners()[corner]) != DVec3::ZERO) {
@@ -114,6 +122,9 @@ struct Joints {
 
 impl Joints {
     fn of(mesh: &Mesh, normals: &[DVec3], at_all_angles: bool) -> Self {
+        if mesh.face_count() == 1 {
+            return Joints { inner: vec![false; mesh.corners().len()], body: vec![0] };
+        }
         // Each directed edge belongs to the first corner that has it, so that walls are omitted in pairs.
         let mut edges = PairTable::with_capacity(mesh.corners().len());
         let mut face_of = vec![0u32; mesh.corners().len()];
@@ -141,6 +152,11 @@ impl Joints {
         let body = |face: u32| if at_all_angles { 0 } else { bodies.find(face) };
         Joints { inner, body: (0..mesh.face_count() as u32).map(body).collect() }
     }
+
+    /// Returns true if all faces are one body, the first.
+    fn are_one_body(&self) -> bool {
+        self.body.iter().all(|body| *body == 0)
+    }
 }
 
 /// Calls `visit` with the face, the corner and the two points of every edge.
@@ -163,6 +179,11 @@ struct Grown<'a> {
     low: Vec<u32>,
     /// The index of each point's displaced copy, one per body.
     high: PairTable,
+    /// The same if there is only one body.
+    only_high: Vec<u32>,
+    /// The corners of the bottom and of the top of a body, in the order of the face's corners.
+    bottom: Vec<u32>,
+    top: Vec<u32>,
 }
 
 impl Grown<'_> {
@@ -170,18 +191,24 @@ impl Grown<'_> {
     fn body(&mut self, face: &FaceRef<'_>, body: u32, inner: &[bool], way: &dyn Fn(u32, u32) -> DVec3) {
         // Vertices of the bottom come first, then vertices of the top. The order of faces is the same, with the sides
         // last.
-        let mut bottom: Vec<Vec<u32>> =
-            face.loops().map(|ring| ring.iter().map(|&point| self.low(point)).collect()).collect();
-        let top: Vec<Vec<u32>> =
-            face.loops().map(|ring| ring.iter().map(|&point| self.high(point, body, way)).collect()).collect();
-        let walls: Vec<Vec<[u32; 4]>> = bottom.iter().zip(&top).map(|(low, high)| walls(low, high)).collect();
-        bottom.iter_mut().for_each(|ring| flip(ring));
-        self.made.face(&bottom, FaceOrigin::over(face, Extruded::Bottom.tag()).turned());
-        self.made.face(&top, FaceOrigin::over(face, Extruded::Top.tag()));
-        let mut edges = face.edges();
-        for (number, walls) in walls.into_iter().enumerate() {
+        let (range, corners) = (face.corner_range(), self.source.corners());
+        let mut bottom = std::mem::take(&mut self.bottom);
+        let mut top = std::mem::take(&mut self.top);
+        bottom.clear();
+        bottom.extend(range.clone().map(|corner| self.low(corners[corner])));
+        top.clear();
+        top.extend(range.clone().map(|corner| self.high(corners[corner], body, way)));
+        // The rings of the face within these lists.
+        let rings = || face.loop_ranges().map(|ring| ring.start - range.start..ring.end - range.start);
+        rings().for_each(|ring| flip(&mut bottom[ring]));
+        self.made.face(rings().map(|ring| &bottom[ring]), FaceOrigin::over(face, Extruded::Bottom.tag()).turned());
+        rings().for_each(|ring| flip(&mut bottom[ring]));
+        self.made.face(rings().map(|ring| &top[ring]), FaceOrigin::over(face, Extruded::Top.tag()));
+        for (number, ring) in rings().enumerate() {
             let part = if number == 0 { Extruded::Outer } else { Extruded::Inner };
-            for ([a, b, c, d], edge) in walls.into_iter().zip(edges.by_ref()) {
+            for at in ring.clone() {
+                let next = if at + 1 == ring.end { ring.start } else { at + 1 };
+                let [a, b, c, d] = [bottom[at], bottom[next], top[next], top[at]];
                 let wall: &[u32] = match (a == d, b == c) {
                     (true, true) => continue,
                     // An end that did not move gives one corner.
@@ -189,11 +216,13 @@ impl Grown<'_> {
                     (false, true) => &[a, b, d],
                     (false, false) => &[a, b, c, d],
                 };
+                let edge = [at, next].each(|at| range.start + at);
                 if !inner[edge[0]] {
                     self.made.face([wall], FaceOrigin::over_edge(face, part.tag(), edge));
                 }
             }
         }
+        (self.bottom, self.top) = (bottom, top);
     }
 
     fn low(&mut self, point: u32) -> u32 {
@@ -210,18 +239,20 @@ impl Grown<'_> {
         if by == DVec3::ZERO {
             return self.low(point);
         }
-        let (number, is_new) = self.high.entry(body, point, self.made.point_count() as u32);
+        let next = self.made.point_count() as u32;
+        let (number, is_new) = match self.only_high.get_mut(point as usize) {
+            Some(number) if *number == u32::MAX => {
+                *number = next;
+                (number, true)
+            }
+            Some(number) => (number, false),
+            None => self.high.entry(body, point, next),
+        };
         if is_new {
             self.made.point(self.source.points()[point as usize] + by, PointOrigin::Moved(point));
         }
         *number
     }
-}
-
-/// The corners of the wall at each edge of a loop.
-fn walls(low: &[u32], high: &[u32]) -> Vec<[u32; 4]> {
-    let next = |k: usize| if k + 1 == low.len() { 0 } else { k + 1 };
-    (0..low.len()).map(|k| [low[k], low[next(k)], high[next(k)], high[k]]).collect()
 }
 
 #[cfg(test)]

@@ -25,8 +25,15 @@ pub struct FaceFrame {
 /// # Panics
 /// Panics if the face does not exist.
 pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
+    face_frame_along(mesh, face, mesh.face(face).normal())
+}
+
+/// The same for a face whose [normal](FaceRef::normal) is known.
+///
+/// # Panics
+/// Panics if the face does not exist.
+pub fn face_frame_along(mesh: &Mesh, face: usize, z: DVec3) -> Option<FaceFrame> {
     let face = mesh.face(face);
-    let z = face.normal();
     let outer = face.outer();
     let at = |i: usize| mesh.points()[outer[i % outer.len()] as usize];
     if z == DVec3::ZERO {
@@ -35,7 +42,8 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
     // The edge is in the face except for rounding. Its component along the normal is removed, so that the axes are
     // orthonormal.
-    let x = unit(unit(along) - z * unit(along).dot(z));
+    let along = unit(along);
+    let x = unit(along - z * along.dot(z));
     if x == DVec3::ZERO {
         return None;
     }

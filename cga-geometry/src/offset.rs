@@ -175,18 +175,30 @@ impl<'p, 'a, 's> FaceParts<'p, 'a, 's> {
         mut rings: Vec<Vec<(usize, u32)>>,
         mut added: impl FnMut(&mut Derivation<'s>, &[u32], &[u32]),
     ) -> usize {
+        if let [ring] = &rings[..] {
+            let ring: Vec<u32> = ring.iter().map(|corner| corner.1).collect();
+            self.polygon([&ring[..]].into_iter(), &mut added);
+            return 1;
+        }
         rings.sort_unstable_by_key(|ring| ring[0]);
         let nested = NestedRings::of(self.points, rings.iter().map(|ring| ring.iter().map(|corner| corner.1)));
-        for rings in nested.polygons() {
-            let mut face = Vec::with_capacity(1);
-            for ring in rings {
-                let numbers: Vec<u32> = ring.iter().map(|&point| self.number(point)).collect();
-                added(self.made, ring, &numbers);
-                face.push(numbers);
-            }
-            self.made.face(face, FaceOrigin::piece(&self.plane.face));
-        }
+        nested.polygons().for_each(|rings| self.polygon(rings, &mut added));
         nested.polygons().len()
+    }
+
+    /// Adds a piece of the face: its outline, and then its holes.
+    fn polygon<'r>(
+        &mut self,
+        rings: impl Iterator<Item = &'r [u32]>,
+        added: &mut impl FnMut(&mut Derivation<'s>, &[u32], &[u32]),
+    ) {
+        let mut face = Vec::with_capacity(1);
+        for ring in rings {
+            let numbers: Vec<u32> = ring.iter().map(|&point| self.number(point)).collect();
+            added(self.made, ring, &numbers);
+            face.push(numbers);
+        }
+        self.made.face(face, FaceOrigin::piece(&self.plane.face));
     }
 
     /// Adds the strip of an edge of the face.

@@ -1,12 +1,12 @@
 //! The edges of an arrangement: outlines of facets, and lines where facets meet.
 
-use crate::small_sort::SmallSort;
-use std::collections::HashMap;
-
 use glam::DVec3;
 
 use super::facet::Facet;
 use super::point_set::PointSet;
+use crate::mesh::in_order;
+use crate::mesh::pair_table::PairTable;
+use crate::small_sort::SmallSort;
 
 /// The number for "not a corner".
 pub(super) const NO_CORNER: u32 = u32::MAX;
@@ -40,12 +40,17 @@ pub(super) struct EdgeTable {
     pub(super) list: Vec<ArrangedEdge>,
     /// The number of owners of all edges.
     pub(super) owner_count: usize,
-    at: HashMap<[u32; 2], u32>,
+    /// The numbers of edges by their ends, or [`DIVIDED`].
+    at: PairTable,
 }
+
+/// The number of an edge that was divided.
+const DIVIDED: u32 = u32::MAX;
 
 impl EdgeTable {
     pub(super) fn find(&self, ends: [u32; 2]) -> Option<u32> {
-        self.at.get(&[ends[0].min(ends[1]), ends[0].max(ends[1])]).copied()
+        let [a, b] = in_order(ends);
+        self.at.get(a, b).filter(|number| *number != DIVIDED)
     }
 
     /// The owner of an edge that is a facet.
@@ -59,10 +64,12 @@ impl EdgeTable {
     pub(super) fn add(&mut self, facets: &mut [Facet], [a, b]: [u32; 2], direction: DVec3, owner: EdgeOwner) {
         let (ends, turned) = ([a.min(b), a.max(b)], b < a);
         let (direction, count) = if turned { (-direction, -owner.count) } else { (direction, owner.count) };
-        let number = *self.at.entry(ends).or_insert_with(|| {
+        let (number, _) = self.at.entry(ends[0], ends[1], DIVIDED);
+        if *number == DIVIDED {
+            *number = self.list.len() as u32;
             self.list.push(ArrangedEdge { ends, direction: DVec3::ZERO, length: -1.0, owners: Vec::new() });
-            self.list.len() as u32 - 1
-        });
+        }
+        let number = *number;
         let edge = &mut self.list[number as usize];
         let length = direction.length();
         if edge.length < length {
@@ -105,7 +112,7 @@ impl EdgeTable {
         let ArrangedEdge { ends, direction, length, ref mut owners } = self.list[edge as usize];
         let owners = std::mem::take(owners);
         self.owner_count -= owners.len();
-        self.at.remove(&ends);
+        *self.at.entry(ends[0], ends[1], DIVIDED).0 = DIVIDED;
         let place = |point: u32| points.at[point as usize];
         let along = |point: u32| (place(point) - place(ends[0])).dot(place(ends[1]) - place(ends[0]));
         cuts.small_sort_by(|&a, &b| along(a).total_cmp(&along(b)).then(a.cmp(&b)));

@@ -16,11 +16,13 @@ pub(super) struct FaceTags<'s> {
     table: TagSetTable,
     /// The numbers of sets by the number of the source's set, and the tag of the operation.
     known: BTreeMap<(u32, Option<&'static str>), u32>,
+    /// The last of these numbers: many walls of one face follow each other.
+    last: Option<((u32, Option<&'static str>), u32)>,
 }
 
 impl<'s> FaceTags<'s> {
     pub(super) fn new(source: &'s Mesh) -> Self {
-        FaceTags { source, table: TagSetTable::default(), known: BTreeMap::new() }
+        FaceTags { source, table: TagSetTable::default(), known: BTreeMap::new(), last: None }
     }
 
     /// The attributes of a face.
@@ -47,11 +49,16 @@ impl<'s> FaceTags<'s> {
 
     /// The attributes of a face with the tag of an operation, over a face of the source.
     fn over(&mut self, own: FaceTag, tag: &'static str) -> FaceTag {
-        let FaceTags { source, table, known } = self;
-        let tags = *known.entry((own.tags, Some(tag))).or_insert_with(|| {
-            let plain = TagSet::default();
-            table.number(&source.tag_sets().get(own.tags as usize).unwrap_or(&plain).renewed(tag))
-        });
+        let FaceTags { source, table, known, last } = self;
+        let key = (own.tags, Some(tag));
+        let tags = match last {
+            Some((last, number)) if *last == key => *number,
+            _ => *known.entry(key).or_insert_with(|| match source.tag_sets().get(own.tags as usize) {
+                Some(set) => table.number(&set.renewed(tag)),
+                None => table.number(&TagSet::of_operation(tag)),
+            }),
+        };
+        *last = Some((key, tags));
         FaceTag { tags, ..own.uncapped() }
     }
 

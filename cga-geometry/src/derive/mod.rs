@@ -153,6 +153,17 @@ impl<'s> Derivation<'s> {
         Derivation { source, made, has_normals, has_trace: true, has_origins, origins, tags, old }
     }
 
+    /// Makes room for some points, corners and loops.
+    #[inline]
+    pub(crate) fn make_room(&mut self, points: usize, corners: usize, loops: usize) {
+        self.made.points.reserve(points);
+        self.made.corners.reserve(corners);
+        self.made.loop_ends.reserve(loops);
+        if self.has_origins {
+            self.origins.reserve(points);
+        }
+    }
+
     fn tags(&mut self) -> &mut DerivedTags<'s> {
         let source = self.source;
         let new = || Box::new(DerivedTags { faces: FaceTags::new(source), edges: EdgeOrigins::default() });

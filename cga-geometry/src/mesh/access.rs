@@ -1,6 +1,6 @@
 //! The parts of a mesh, for code outside of geometry.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -75,8 +75,7 @@ impl Mesh {
     /// The caller keeps faces planar and coordinates finite; [`Mesh::check`] lists what is not.
     #[inline]
     pub fn change_points(&mut self, change: impl FnMut(&mut DVec3)) {
-        self.derived.bounds = OnceLock::new();
-        self.derived.forget_variants();
+        self.derived.forget_moved();
         self.points.iter_mut().for_each(change);
     }
 

@@ -97,11 +97,24 @@ impl<'a> FaceRef<'a> {
     fn area_vector_of(&self, place: impl Fn(DVec3) -> DVec3) -> DVec3 {
         let at = |point: u32| place(self.mesh.points[point as usize]);
         let corners = &self.mesh.corners[self.corner_range()];
-        if let [a, b, c] = *corners {
-            // The sum reduces to this; most faces of large meshes are triangles.
-            let from = at(a);
-            return (at(b) - from).cross(at(c) - from);
+        // The sum reduces to this for triangles and quadrilaterals, and most faces are one of them.
+        match *corners {
+            [a, b, c] => {
+                let from = at(a);
+                (at(b) - from).cross(at(c) - from)
+            }
+            [a, b, c, d] => {
+                let from = at(a);
+                let across = at(c) - from;
+                // From zero on, as the sum of more corners.
+                DVec3::ZERO + (at(b) - from).cross(across) + across.cross(at(d) - from)
+            }
+            _ => self.area_vector_of_loops(&at),
         }
+    }
+
+    #[inline(always)]
+    fn area_vector_of_loops(&self, at: &impl Fn(u32) -> DVec3) -> DVec3 {
         area_vector(self.loops().map(|ring| ring.iter().map(|&point| at(point))))
     }
 

@@ -1,10 +1,9 @@
 //! A face laid flat, for algorithms in the plane.
 
-use std::collections::BTreeMap;
-
 use glam::{DVec2, DVec3};
 
 use super::FaceRef;
+use super::pair_table::PairTable;
 use crate::each::Each;
 use crate::tol::PLANAR_EPSILON;
 use crate::vector::unit;
@@ -42,18 +41,20 @@ impl<'a> FlatFace<'a> {
         }
         let origin = face.position(range.start);
         let axes = face.plane_axes(normal)?;
-        let (flat, heights) = (Vec::new(), Vec::new());
-        let mut plane =
-            FlatFace { face: *face, origin, axes, normal, flat, heights, points: Vec::new(), corners: Vec::new() };
+        let count = range.len();
+        let (flat, heights) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let (points, corners) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        let mut plane = FlatFace { face: *face, origin, axes, normal, flat, heights, points, corners };
         let mut extent = 0.0f64;
-        let mut numbers = BTreeMap::new();
+        let mut numbers = PairTable::with_capacity(count);
         for corner in range {
             let point = face.mesh.corners[corner];
             let to = face.position(corner) - origin;
             extent = extent.max(to.abs().max_element());
             let next = plane.flat.len() as u32;
-            let number = *numbers.entry(point).or_insert(next);
-            if number == next {
+            let (number, is_new) = numbers.entry(0, point, next);
+            let number = *number;
+            if is_new {
                 plane.flat.push(DVec2::new(to.dot(axes[0]), to.dot(axes[1])));
                 plane.heights.push(to.dot(normal));
                 plane.points.push(point);

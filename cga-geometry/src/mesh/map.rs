@@ -29,6 +29,16 @@ impl Mesh {
         }
     }
 
+    /// The same as [`Mesh::map`], in place.
+    pub fn into_mapped(mut self, map: &DAffine3) -> Mesh {
+        let normal_map = normal_map(&map.matrix3);
+        self.points.iter_mut().for_each(|point| *point = map.transform_point3(*point));
+        self.normals.iter_mut().for_each(|normal| *normal = unit(normal_map * *normal));
+        self.bent = map.matrix3 * self.bent;
+        self.derived.forget_moved();
+        self
+    }
+
     /// The mesh rotated so that its z axis points up and its y axis to the back.
     pub fn raised(&self) -> Mesh {
         self.map(&DAffine3 { matrix3: DMat3::from_cols(DVec3::X, DVec3::NEG_Z, DVec3::Y), translation: DVec3::ZERO })

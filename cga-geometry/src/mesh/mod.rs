@@ -159,14 +159,20 @@ impl Derived {
         Derived { bounds: OnceLock::new(), ..self.clone() }
     }
 
-    /// The properties of the same faces and points with other attributes.
-    fn of_changed(self) -> Self {
-        Derived { variants: Variants::default(), ..self }
-    }
-
     /// Forgets the forms of a mesh that is about to change.
     fn forget_variants(&mut self) {
         self.variants = Variants::default();
+    }
+
+    /// Forgets the properties that change with the points.
+    fn forget_moved(&mut self) {
+        self.bounds = OnceLock::new();
+        self.forget_variants();
+    }
+
+    /// The properties of the same faces and points with other attributes.
+    fn of_changed(self) -> Self {
+        Derived { variants: Variants::default(), ..self }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Tags of components: names that operations give, keep and renew.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -76,6 +77,21 @@ impl TagSet {
         self.without(|name| is_below(name, above))
     }
 
+    /// The one tag of an operation, such as `extrude.top`. Each thread makes it once.
+    pub(crate) fn of_operation(name: &'static str) -> Self {
+        thread_local! {
+            static KNOWN: RefCell<Vec<(&'static str, TagSet)>> = const { RefCell::new(Vec::new()) };
+        }
+        KNOWN.with_borrow_mut(|known| match known.iter().find(|entry| entry.0 == name) {
+            Some(entry) => entry.1.clone(),
+            None => {
+                let set = TagSet::new([name]);
+                known.push((name, set.clone()));
+                set
+            }
+        })
+    }
+
     /// The tags with a tag of an operation, such as `extrude.top`, in place of the other tags below its first word.
     pub(crate) fn renewed(&self, name: &str) -> Self {
         let operation = name.split('.').next().unwrap_or_default();
@@ -92,12 +108,16 @@ fn is_below(name: &str, above: &str) -> bool {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct TagSetTable {
     sets: Vec<TagSet>,
+    /// The numbers of the sets, if they are more than [`FEW`](TagSetTable::FEW).
     numbers: BTreeMap<TagSet, u32>,
     /// The numbers of unions, by the numbers of both sets.
     unions: BTreeMap<[u32; 2], u32>,
 }
 
 impl TagSetTable {
+    /// The number of sets up to which they are compared one by one.
+    const FEW: usize = 8;
+
     /// Returns true if it has no sets.
     pub(crate) fn is_empty(&self) -> bool {
         self.sets.is_empty()
@@ -105,12 +125,22 @@ impl TagSetTable {
 
     /// The number of a set.
     pub(crate) fn number(&mut self, set: &TagSet) -> u32 {
-        if let Some(number) = self.numbers.get(set) {
-            return *number;
-        }
+        let known = match self.sets.len() <= Self::FEW {
+            true => self.sets.iter().position(|own| own == set).map(|at| at as u32),
+            false => self.numbers.get(set).copied(),
+        };
+        known.unwrap_or_else(|| self.add(set.clone()))
+    }
+
+    /// Adds a set that is new.
+    fn add(&mut self, set: TagSet) -> u32 {
         let number = self.sets.len() as u32;
-        self.sets.push(set.clone());
-        self.numbers.insert(set.clone(), number);
+        self.sets.push(set);
+        if self.sets.len() == Self::FEW + 1 {
+            self.numbers = self.sets.iter().cloned().zip(0..).collect();
+        } else if Self::FEW < self.sets.len() {
+            self.numbers.insert(self.sets[number as usize].clone(), number);
+        }
         number
     }
 

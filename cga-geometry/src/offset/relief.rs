@@ -12,6 +12,9 @@ use crate::skeleton::Swept;
 /// The heights of all points of a swept face, from the heights of its own points, which come first. `rings` are in
 /// swept order.
 pub(super) fn heights(own: &[f64], rings: &[Vec<u32>], swept: &Swept) -> Vec<f64> {
+    if own.iter().all(|height| *height == 0.0) {
+        return vec![0.0; swept.points.len()];
+    }
     let edges: Vec<[u32; 2]> =
         rings.iter().flat_map(|ring| (0..ring.len()).map(|i| [ring[i], ring[(i + 1) % ring.len()]])).collect();
     let near = |[a, b]: [u32; 2], point: u32| {

@@ -6,6 +6,7 @@ use std::ops::Bound;
 use glam::DVec3;
 
 use crate::each::Each;
+use crate::mesh::pair_table::PairTable;
 use crate::trace::UNTRACED;
 
 /// The distance below which two points of an edge are one, as a share of the edge.
@@ -19,7 +20,7 @@ pub(super) const NO_EDGE: u32 = u32::MAX;
 pub struct Origins {
     pub(super) points: Vec<OriginPoint>,
     pub(super) edges: Vec<DividedEdge>,
-    edge_numbers: HashMap<[u32; 2], u32>,
+    edge_numbers: PairTable,
     /// Further divisions in which a point was made, besides the first one.
     pub(super) births: HashMap<u32, Vec<u32>>,
     /// The division that made the shape that a division divides. Division 0 is its own.
@@ -117,7 +118,7 @@ impl Origins {
             let key = [a.min(b), a.max(b)];
             self.edges.push(DividedEdge { ends: key, inner: BTreeMap::new() });
             let edge = self.edges.len() as u32 - 1;
-            self.edge_numbers.insert(key, edge);
+            *self.edge_numbers.entry(key[0], key[1], edge).0 = edge;
             EdgeStretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } }
         });
         let [from, to] = stretch.shares;
@@ -166,7 +167,7 @@ impl Origins {
         if let Some(share) = end(p.edge, b) {
             return Some(EdgeStretch { edge: p.edge, shares: [p.share, share] });
         }
-        let edge = *self.edge_numbers.get(&[a.min(b), a.max(b)])?;
+        let edge = self.edge_numbers.get(a.min(b), a.max(b))?;
         Some(EdgeStretch { edge, shares: if a < b { [0.0, 1.0] } else { [1.0, 0.0] } })
     }
 

@@ -53,6 +53,8 @@ const DRAWING: usize = 32;
 struct DensityCell {
     /// Cells are counted as they are made.
     number: u64,
+    /// The weight in steps of [`WEIGHT_STEP`].
+    step: i64,
     form: CellForm,
     /// The logarithm of the highest density in it.
     log_peak: f64,
@@ -77,16 +79,17 @@ enum CellForm {
 }
 
 impl DensityCell {
-    /// The weight in steps.
-    fn step(&self) -> i64 {
-        (self.log_weight / WEIGHT_STEP + FIRST_STEP).floor() as i64
+    /// A cell with that weight, which has no number yet.
+    fn new(form: CellForm, log_peak: f64, log_weight: f64, is_uneven: bool) -> Self {
+        let step = (log_weight / WEIGHT_STEP + FIRST_STEP).floor() as i64;
+        DensityCell { number: 0, step, form, log_peak, log_weight, is_uneven }
     }
 }
 
 /// Cells are ordered by weight, and cells of the same weight by number: the first is the largest.
 impl Ord for DensityCell {
     fn cmp(&self, other: &Self) -> Ordering {
-        self.step().cmp(&other.step()).then(other.number.cmp(&self.number))
+        self.step.cmp(&other.step).then(other.number.cmp(&self.number))
     }
 }
 
@@ -167,7 +170,16 @@ impl Domain {
     fn of(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
         let mut numbers = 0..;
         let mut numbered = |cell: DensityCell| DensityCell { number: numbers.next().unwrap_or_default(), ..cell };
-        let mut heap: BinaryHeap<_> = cells.into_iter().map(&mut numbered).collect();
+        let mut first: Vec<_> = cells.into_iter().map(&mut numbered).collect();
+        if first.iter().all(|cell| !cell.is_uneven) {
+            if !work::spend(HALVING * first.len()) {
+                first.clear();
+            }
+            // The order in which the heap would give them.
+            first.sort_unstable_by(|a, b| b.cmp(a));
+            return Domain::divided(first, bell, solid, count);
+        }
+        let mut heap = BinaryHeap::from(first);
         let mut cells = Vec::new();
         let [least, most] = CELL_LIMITS;
         let most = heap.len() + count.saturating_mul(CELLS_PER_POINT).clamp(least, most) as usize;
@@ -187,6 +199,11 @@ impl Domain {
                 }
             }
         }
+        Domain::divided(cells, bell, solid, count)
+    }
+
+    /// A domain with these cells.
+    fn divided(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
         let top = cells.iter().map(|cell| cell.log_weight).fold(f64::NEG_INFINITY, f64::max);
         let mut sum = 0.0;
         let add = |cell: &DensityCell| {
@@ -264,13 +281,7 @@ fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<DensityCe
     let [least, log_peak] = bell.log_range(a.min(b).min(c), a.max(b).max(c));
     let log_weight = libm::log(area) + log_peak;
     let is_uneven = EVEN_ENOUGH < log_peak - least;
-    (0.0 < area).then_some(DensityCell {
-        number: 0,
-        form: CellForm::Triangle { corners, normal },
-        log_peak,
-        log_weight,
-        is_uneven,
-    })
+    (0.0 < area).then(|| DensityCell::new(CellForm::Triangle { corners, normal }, log_peak, log_weight, is_uneven))
 }
 
 /// The cell of a box. `near` are the triangles that may come into it. `None` outside the solid.
@@ -283,13 +294,7 @@ fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Sol
     let extents = (high - low).to_array();
     let log_measure: f64 = extents.into_iter().filter(|extent| 0.0 < *extent).map(libm::log).sum();
     let is_uneven = !crossing.is_empty() || EVEN_ENOUGH < log_peak - least;
-    Some(DensityCell {
-        number: 0,
-        form: CellForm::Box { low, high, crossing },
-        log_peak,
-        log_weight: log_measure + log_peak,
-        is_uneven,
-    })
+    Some(DensityCell::new(CellForm::Box { low, high, crossing }, log_peak, log_measure + log_peak, is_uneven))
 }
 
 /// Both halves of a cell, across its longest extent in units of the deviation. `None` if its middle is one of its ends, or

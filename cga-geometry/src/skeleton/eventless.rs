@@ -1,5 +1,5 @@
-//! Wavefronts of triangles and convex quadrilaterals in which nothing happens before the end: most offsets and setbacks. The result is
-//! the one of the wavefront with events, by formula.
+//! Wavefronts of convex polygons in which nothing happens before the end: most offsets and setbacks. The result is the one of the
+//! wavefront with events, by formula.
 
 use glam::DVec2;
 
@@ -9,11 +9,11 @@ use super::{BLUNT, FrontCorner, Speeds, Strip, Swept};
 /// The shortest edge, and the root of the smallest area, relative to the extent. Below it contacts decide.
 const SHORTEST: f64 = 1e-4;
 
-/// The largest cosine of the angle between neighbouring edges, in either direction. Beyond it corners are blunt or sharp.
-const FLATTEST: f64 = BLUNT;
+/// The smallest sine of the angle between neighbouring edges of one speed. Below it corners may count as straight.
+const STRAIGHTEST: f64 = 1e-3;
 
-/// Moves the edges of a triangle or a convex quadrilateral, or of the region outside it. `None` for other polygons, and if an event may
-/// come before the end.
+/// Moves the edges of a convex polygon, or of the region outside it. `None` for other polygons, and if an event may come before the
+/// end.
 pub(super) fn sweep_without_events(
     points: &[DVec2],
     rings: &[Vec<u32>],
@@ -22,7 +22,7 @@ pub(super) fn sweep_without_events(
 ) -> Option<Swept> {
     let [ring] = rings else { return None };
     let count = ring.len();
-    if !(3..=4).contains(&count) || points.len() != count || !(0.0 < until && until < f64::INFINITY) {
+    if count < 3 || points.len() != count || !(0.0 < until && until < f64::INFINITY) {
         return None;
     }
     let corner = |i: usize| points[ring[i % count] as usize];
@@ -31,28 +31,33 @@ pub(super) fn sweep_without_events(
     if !SIZES.contains(&extent) || *SIZES.end() < until {
         return None;
     }
-    let mut lines = [MovingLine { along: DVec2::X, at: 0.0, speed: 0.0 }; 4];
-    for (i, line) in lines[..count].iter_mut().enumerate() {
+    let mut lines = Vec::with_capacity(count);
+    for i in 0..count {
         let edge = corner(i + 1) - corner(i);
         let length = edge.length();
         let speed = speeds.of(i);
         if !(SHORTEST * extent < length && length < f64::INFINITY && (0.0..=1.0).contains(&speed)) {
             return None;
         }
-        let along = edge / length;
-        *line = MovingLine { along, at: along.perp().dot(corner(i)), speed };
+        // As in the wavefront with events, bit for bit.
+        let along = edge.normalize_or(DVec2::X);
+        lines.push(MovingLine { along, at: along.perp().dot(corner(i)), speed });
     }
     // The sense of the ring: inwards, or outwards.
     let sense = twice_area(points, ring).signum();
-    let mut velocities = [DVec2::ZERO; 4];
-    for (i, moves) in velocities[..count].iter_mut().enumerate() {
+    if turns(&lines, sense) != 1 {
+        return None;
+    }
+    let mut velocities = Vec::with_capacity(count);
+    for i in 0..count {
         let [before, after] = [lines[(i + count - 1) % count], lines[i]];
-        let is_plain =
-            0.0 < sense * before.along.perp_dot(after.along) && before.along.dot(after.along).abs() <= FLATTEST;
-        if !is_plain {
+        let (sine, cosine) = (sense * before.along.perp_dot(after.along), before.along.dot(after.along));
+        // Corners between edges of different speeds are divided if they are blunt.
+        let is_blunt = if before.speed == after.speed { sine <= STRAIGHTEST } else { BLUNT < cosine };
+        if !(0.0 < sine) || is_blunt || cosine < -BLUNT {
             return None;
         }
-        *moves = velocity(&before, &after)?;
+        velocities.push(velocity(&before, &after)?);
     }
     let place = |i: usize| corner(i) + velocities[i % count] * until;
     let is_long = |i: usize| SHORTEST * extent < lines[i].along.dot(place(i + 1) - place(i));
@@ -87,4 +92,11 @@ pub(super) fn sweep_without_events(
         times,
         deviation: 0.0,
     })
+}
+
+/// The number of turns of a polygon whose corners all turn in the sense `sense`: more than one for a star that crosses itself.
+fn turns(lines: &[MovingLine], sense: f64) -> usize {
+    let is_up = |line: &MovingLine| 0.0 <= sense * line.along.y;
+    let before = lines.iter().cycle().skip(lines.len() - 1);
+    before.zip(lines).filter(|(before, after)| !is_up(before) && is_up(after)).count()
 }

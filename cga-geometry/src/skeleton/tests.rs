@@ -375,14 +375,56 @@ fn wavefronts_without_events_are_those_with_them() {
             let other = sweep_with_events(&points, &rings, speeds, until).expect("a wavefront");
             assert_eq!(own.strips, other.strips, "{points:?} {rings:?} {speeds:?} {until}");
             assert_eq!(own.left, other.left, "{points:?} {rings:?} {speeds:?} {until}");
-            assert_eq!(own.times.len(), other.times.len());
-            let is_near = |(a, b): (&DVec2, &DVec2)| (*a - *b).abs().max_element() < 1e-9;
-            assert!(own.points.iter().zip(&other.points).all(is_near), "{points:?} {rings:?} {speeds:?} {until}");
-            assert!(own.times.iter().zip(&other.times).all(|(a, b)| (a - b).abs() < 1e-9));
+            assert_eq!(
+                (&own.points, &own.times),
+                (&other.points, &other.times),
+                "{points:?} {rings:?} {speeds:?} {until}"
+            );
             compared += 1;
         }
     }
     assert!(3000 < compared && 1000 < refused, "{compared} compared, {refused} refused");
+}
+
+#[test]
+fn convex_polygons_of_many_corners_have_wavefronts_without_events() {
+    let mut rng = Rng(12);
+    let mut compared = 0;
+    for round in 0..600 {
+        let count = [5, 6, 8, 12, 48, 200][round % 6];
+        // Corners on an ellipse, at angles that are even or drawn.
+        let mut angles: Vec<f64> =
+            (0..count).map(|i| if round % 4 < 2 { i as f64 } else { i as f64 + 0.8 * rng.unit() }).collect();
+        angles.iter_mut().for_each(|angle| *angle *= std::f64::consts::TAU / count as f64);
+        let size = DVec2::new(1.0 + 9.0 * rng.unit(), 1.0 + 9.0 * rng.unit());
+        let from = DVec2::new(100.0 * rng.unit(), 100.0 * rng.unit());
+        let points: Vec<DVec2> = angles.iter().map(|angle| from + DVec2::from_angle(*angle) * size).collect();
+        let mut ring: Vec<u32> = (0..count as u32).collect();
+        ring.rotate_left(round % count);
+        if round % 2 == 0 {
+            ring.reverse();
+        }
+        let until = (0.001 + 0.3 * rng.unit()) * size.min_element();
+        for speeds in [Speeds::Equal, Speeds::Heights(&vec![1.0; count])] {
+            let rings = [ring.clone()];
+            let Some(own) = eventless::sweep_without_events(&points, &rings, speeds, until) else { continue };
+            let other = sweep_with_events(&points, &rings, speeds, until).expect("a wavefront");
+            let told = || format!("{points:?} {rings:?} {speeds:?} {until}");
+            assert_eq!((&own.strips, &own.left), (&other.strips, &other.left), "{}", told());
+            assert_eq!((&own.points, &own.times), (&other.points, &other.times), "{}", told());
+            compared += 1;
+        }
+    }
+    assert!(500 < compared, "{compared} compared");
+}
+
+#[test]
+fn a_star_that_crosses_itself_has_no_wavefront_without_events() {
+    let corner = |i: u32| DVec2::from_angle(f64::from(2 * i) * std::f64::consts::TAU / 5.0);
+    let star: Vec<DVec2> = (0..5).map(corner).collect();
+    for ring in [vec![0, 1, 2, 3, 4], vec![4, 3, 2, 1, 0]] {
+        assert!(eventless::sweep_without_events(&star, &[ring], Speeds::Equal, 0.01).is_none());
+    }
 }
 
 #[test]

@@ -16,7 +16,7 @@ use crate::geometry::Frame;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::geometry::each::Each;
 use crate::geometry::extract::extract;
-use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, upright};
+use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, face_frame_along, upright};
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
 use crate::geometry::provenance::Provenance;
 use crate::geometry::small_sort::SmallSort;
@@ -274,17 +274,25 @@ impl MeshParts {
         })
     }
 
-    /// The frame of a rectangular face that has no attributes but its provenance.
-    pub(super) fn rectangle(&self, index: usize) -> Option<(FaceFrame, Provenance)> {
+    /// The frame of a face, and its box. `None` for other components, and for a face without area.
+    #[inline]
+    pub(super) fn face_frame(&self, index: usize) -> Option<FaceFrame> {
+        match self.kind {
+            Components::Faces => face_frame_along(&self.mesh, index, self.normals[index]),
+            _ => None,
+        }
+    }
+
+    /// The provenance of a face that has no other attributes. `None` for a face that is to be a mesh.
+    pub(super) fn provenance(&self, index: usize) -> Option<Provenance> {
         let mesh = &self.mesh;
-        if self.as_meshes || self.kind != Components::Faces || mesh.has_corner_values() {
+        if self.as_meshes || mesh.has_corner_values() {
             return None;
         }
         if !mesh.subcomponent_tags().is_empty() && self.has_tagged_subcomponents(index) {
             return None;
         }
-        let provenance = Provenance::of(mesh, mesh.face(index).tag())?;
-        face_frame(mesh, index).filter(|found| found.rectangle).map(|found| (found, provenance))
+        Provenance::of(mesh, mesh.face(index).tag())
     }
 
     /// Returns true if an edge or a vertex of a face has tags.
@@ -300,7 +308,7 @@ impl MeshParts {
     /// the shape, and for degenerate components.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let (x, origin) = match self.kind {
-            Components::Faces => return face_frame(&self.mesh, index).map(|found| found.frame),
+            Components::Faces => return self.face_frame(index).map(|found| found.frame),
             Components::Groups | Components::Materials => return None,
             Components::Holes => return face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
             Components::Edges | Components::FaceEdges => {

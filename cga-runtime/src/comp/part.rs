@@ -36,8 +36,9 @@ impl ComponentSource {
             // These are used unchanged, unless a condition needs their shapes.
             ComponentSource::Quads(_) => self.kept(parent, numbers, as_roof),
             ComponentSource::Mesh(parts) => {
-                if let [_] = numbers
-                    && let Some((found, provenance)) = parts.rectangle(first)
+                let face = parts.face_frame(first);
+                if let ([_], Some(found)) = (numbers, face.as_ref().filter(|found| found.rectangle))
+                    && let Some(provenance) = parts.provenance(first)
                 {
                     let pivot = in_world(&parent.scope, &found.frame);
                     let size = (found.high - found.low).extend(0.0);
@@ -48,7 +49,7 @@ impl ComponentSource {
                         geometry: Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance)),
                     };
                 }
-                match parts.frame(first, as_roof) {
+                match face.map(|found| found.frame).or_else(|| parts.frame(first, as_roof)) {
                     None => self.kept(parent, numbers, as_roof),
                     Some(frame) => match parts.surface(numbers, &frame) {
                         Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(levelled(mesh))),
@@ -85,8 +86,11 @@ impl ComponentSource {
 /// Moves a mesh that is in the xy plane except for rounding, as a triangle always is, into it: a face has a z size of
 /// zero.
 fn levelled(mut mesh: Mesh) -> Mesh {
-    let size = Bounds::of(mesh.points().iter().copied()).size();
-    if mesh.corners().len() == 3 || size.z <= PLANAR_EPSILON * size.max_element() {
+    let is_level = || {
+        let size = Bounds::of(mesh.points().iter().copied()).size();
+        size.z <= PLANAR_EPSILON * size.max_element()
+    };
+    if mesh.corners().len() == 3 || is_level() {
         mesh.change_points(|point| point.z = 0.0);
     }
     mesh

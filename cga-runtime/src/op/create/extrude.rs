@@ -197,7 +197,7 @@ pub(in crate::op) fn stand_along(
     }
     shape.hand_trace_to(&mut grown);
     let axes = shape.scope.axes;
-    let local = grown.map(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
+    let local = grown.into_mapped(&DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO });
     let mut placed = Placed::fitted(local);
     let axes = axes * turn;
     let mut size = placed.size;
