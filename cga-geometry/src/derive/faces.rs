@@ -1,6 +1,5 @@
 //! The tags of faces.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::FaceOrigin;
@@ -14,15 +13,18 @@ use crate::mesh::{FaceTag, Mesh, TagSet, TagSetTable};
 pub(super) struct FaceTags<'s> {
     source: &'s Mesh,
     table: TagSetTable,
-    /// The numbers of sets by the number of the source's set, and the tag of the operation.
-    known: BTreeMap<(u32, Option<&'static str>), u32>,
-    /// The last of these numbers: many walls of one face follow each other.
-    last: Option<((u32, Option<&'static str>), u32)>,
+    /// The tags of the operation so far.
+    names: Vec<Option<&'static str>>,
+    /// For each of these names and each set of the source, and at last for no set, the number of the set of both, or [`UNKNOWN`].
+    known: Vec<u32>,
 }
+
+/// The number of a set that was not asked for yet.
+const UNKNOWN: u32 = u32::MAX;
 
 impl<'s> FaceTags<'s> {
     pub(super) fn new(source: &'s Mesh) -> Self {
-        FaceTags { source, table: TagSetTable::default(), known: BTreeMap::new(), last: None }
+        FaceTags { source, table: TagSetTable::default(), names: Vec::new(), known: Vec::new() }
     }
 
     /// The attributes of a face.
@@ -49,26 +51,33 @@ impl<'s> FaceTags<'s> {
 
     /// The attributes of a face with the tag of an operation, over a face of the source.
     fn over(&mut self, own: FaceTag, tag: &'static str) -> FaceTag {
-        let FaceTags { source, table, known, last } = self;
-        let key = (own.tags, Some(tag));
-        let tags = match last {
-            Some((last, number)) if *last == key => *number,
-            _ => *known.entry(key).or_insert_with(|| match source.tag_sets().get(own.tags as usize) {
-                Some(set) => table.number(&set.renewed(tag)),
-                None => table.number(&TagSet::of_operation(tag)),
-            }),
-        };
-        *last = Some((key, tags));
-        FaceTag { tags, ..own.uncapped() }
+        FaceTag { tags: self.number(own.tags, Some(tag)), ..own.uncapped() }
     }
 
     /// The attributes of a face of the source, or of a piece of it.
-    fn same(&mut self, own: FaceTag) -> FaceTag {
-        let Some(set) = self.source.tag_sets().get(own.tags as usize).filter(|set| !set.names().is_empty()) else {
-            return FaceTag { tags: FaceTag::NONE, ..own };
-        };
-        let tags = *self.known.entry((own.tags, None)).or_insert_with(|| self.table.number(set));
-        FaceTag { tags, ..own }
+    pub(super) fn same(&mut self, own: FaceTag) -> FaceTag {
+        let is_tagged = self.source.tag_sets().get(own.tags as usize).is_some_and(|set| !set.names().is_empty());
+        FaceTag { tags: if is_tagged { self.number(own.tags, None) } else { FaceTag::NONE }, ..own }
+    }
+
+    /// The number of the tags of a set of the source and of a tag of the operation.
+    fn number(&mut self, set: u32, tag: Option<&'static str>) -> u32 {
+        let sets = self.source.tag_sets();
+        let row = self.names.iter().position(|known| *known == tag).unwrap_or_else(|| {
+            self.names.push(tag);
+            self.known.resize(self.names.len() * (sets.len() + 1), UNKNOWN);
+            self.names.len() - 1
+        });
+        let number = &mut self.known[row * (sets.len() + 1) + (set as usize).min(sets.len())];
+        if *number == UNKNOWN {
+            *number = match (sets.get(set as usize), tag) {
+                (Some(own), Some(tag)) => self.table.number(&own.renewed(tag)),
+                (Some(own), None) => self.table.number(own),
+                (None, Some(tag)) => self.table.number(&TagSet::of_operation(tag)),
+                (None, None) => FaceTag::NONE,
+            };
+        }
+        *number
     }
 
     /// The attributes with the tags of the edge between two points.
@@ -79,8 +88,8 @@ impl<'s> FaceTags<'s> {
         FaceTag { tags, ..tag }
     }
 
-    /// The sets, which tags of faces index. `None` if no face has tags.
-    pub(super) fn finish(&mut self) -> Option<Arc<[TagSet]>> {
-        (!self.table.is_empty()).then(|| std::mem::take(&mut self.table).into_sets())
+    /// The sets, which tags of faces index.
+    pub(super) fn finish(self) -> Arc<[TagSet]> {
+        if self.table.is_empty() { Arc::default() } else { self.table.into_sets() }
     }
 }

@@ -83,7 +83,7 @@ mod values;
 
 use glam::DVec3;
 
-use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
+use crate::mesh::{FaceRef, Mesh, TagSet};
 pub use crate::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
@@ -113,6 +113,8 @@ pub struct Derivation<'s> {
     made: Mesh,
     has_normals: bool,
     has_trace: bool,
+    /// True if some faces have other tags than their old faces. Until then the sets of the source serve all.
+    has_face_tags: bool,
     /// True if the origins of points are kept: for values, tags or traces.
     has_origins: bool,
     /// The origin of each point.
@@ -150,17 +152,17 @@ impl<'s> Derivation<'s> {
     #[inline(always)]
     fn with(source: &'s Mesh, made: Mesh, has_normals: bool, has_origins: bool) -> Self {
         let (origins, tags, old) = (Vec::new(), None, None);
-        Derivation { source, made, has_normals, has_trace: true, has_origins, origins, tags, old }
+        Derivation { source, made, has_normals, has_trace: true, has_face_tags: false, has_origins, origins, tags, old }
     }
 
-    /// Makes room for some points, corners and loops.
+    /// Makes room for some points, corners and loops. There are none yet.
     #[inline]
     pub(crate) fn make_room(&mut self, points: usize, corners: usize, loops: usize) {
-        self.made.points.reserve(points);
-        self.made.corners.reserve(corners);
-        self.made.loop_ends.reserve(loops);
+        self.made.points = Vec::with_capacity(points);
+        self.made.corners = Vec::with_capacity(corners);
+        self.made.loop_ends = Vec::with_capacity(loops);
         if self.has_origins {
-            self.origins.reserve(points);
+            self.origins = Vec::with_capacity(points);
         }
     }
 
@@ -272,14 +274,27 @@ impl<'s> Derivation<'s> {
     /// Ends a face with the last loop.
     #[inline(always)]
     pub(crate) fn end_face(&mut self, origin: FaceOrigin) {
-        let own = self.source.tags[origin.face as usize];
-        let tag = if origin.is_piece() && own.tags == FaceTag::NONE { own } else { self.tags().faces.of(&origin) };
+        let is_piece = origin.is_piece() || (origin.is_strip() && !self.has_component_tags());
+        let tag = match is_piece && !self.has_face_tags {
+            true => self.source.tags[origin.face as usize],
+            false => self.face_tags().of(&origin),
+        };
         self.made.end_face(tag);
+    }
+
+    /// The tags of faces, for the first face that needs others than its old face, and all faces after it.
+    fn face_tags(&mut self) -> &mut FaceTags<'s> {
+        if !std::mem::replace(&mut self.has_face_tags, true) {
+            let before = std::mem::take(&mut self.made.tags);
+            let tags = self.tags();
+            self.made.tags = before.mapped(|own| tags.faces.same(own));
+        }
+        &mut self.tags().faces
     }
 
     /// Ends a face with the last loop. Its tags do not follow from its origin.
     pub(crate) fn end_tagged_face(&mut self, origin: FaceOrigin, tags: &TagSet) {
-        let tag = self.tags().faces.with(&origin, tags);
+        let tag = self.face_tags().with(&origin, tags);
         self.made.end_face(tag);
     }
 
@@ -332,9 +347,9 @@ impl<'s> Derivation<'s> {
             self.made.trace = self.source.trace.pick(&mut self.origins.iter().map(|origin| origin.old()));
         }
         self.tags();
-        let Some(DerivedTags { mut faces, edges }) = self.tags.take().map(|tags| *tags) else { return };
-        if let Some(sets) = faces.finish() {
-            self.made.tag_sets = sets;
+        let Some(DerivedTags { faces, edges }) = self.tags.take().map(|tags| *tags) else { return };
+        if self.has_face_tags {
+            self.made.tag_sets = faces.finish();
         }
         self.made.subcomponent_tags = edges.tags(self.source, &self.made, &self.origins);
     }

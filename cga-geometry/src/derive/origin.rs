@@ -67,6 +67,12 @@ impl FaceOrigin {
         self.role == Role::Piece
     }
 
+    /// Returns true for a piece that grows out of an edge, without a tag of the operation.
+    #[inline]
+    pub(super) fn is_strip(&self) -> bool {
+        matches!(self.role, Role::Beside(_, None))
+    }
+
     /// Returns true for a face in a hole.
     pub(super) fn is_filling(&self) -> bool {
         self.role == Role::Filling
