@@ -93,8 +93,11 @@ impl TagSet {
     }
 
     /// The tags with a tag of an operation, such as `extrude.top`, in place of the other tags below its first word.
-    pub(crate) fn renewed(&self, name: &str) -> Self {
+    pub(crate) fn renewed(&self, name: &'static str) -> Self {
         let operation = name.split('.').next().unwrap_or_default();
+        if self.0.iter().all(|own| is_below(own, operation)) {
+            return TagSet::of_operation(name);
+        }
         TagSet::new(self.0.iter().filter(|own| !is_below(own, operation)).cloned().chain([name.into()]))
     }
 }

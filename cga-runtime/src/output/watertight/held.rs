@@ -34,8 +34,8 @@ pub(super) enum HeldGeometry {
 /// The faces of a leaf, and the places of their points.
 pub(super) struct Faces<'a> {
     pub(super) mesh: &'a Mesh,
-    /// True if each edge is used in both directions.
-    pub(super) is_closed: bool,
+    /// True if the mesh is of a box.
+    pub(super) is_box: bool,
     /// True if the mesh is of a rectangle or a box.
     pub(super) is_unit: bool,
 }
@@ -57,15 +57,15 @@ impl Held {
             HeldGeometry::Placement | HeldGeometry::Instance(..) => None,
             HeldGeometry::Quad(quad) => {
                 points.extend(quad.points());
-                Some(Faces { mesh: quad.unit.mesh(), is_closed: false, is_unit: true })
+                Some(Faces { mesh: quad.unit.mesh(), is_box: false, is_unit: true })
             }
             HeldGeometry::Cuboid(cuboid) => {
                 points.extend(cuboid.points());
-                Some(Faces { mesh: cuboid.unit.mesh(), is_closed: true, is_unit: true })
+                Some(Faces { mesh: cuboid.unit.mesh(), is_box: true, is_unit: true })
             }
             HeldGeometry::Mesh(mesh, placement) => {
                 points.extend(mesh.points().iter().map(|&point| placement.transform_point3(point)));
-                Some(Faces { mesh, is_closed: false, is_unit: false })
+                Some(Faces { mesh, is_box: false, is_unit: false })
             }
         }
     }

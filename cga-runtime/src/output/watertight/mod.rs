@@ -133,14 +133,14 @@ fn pass_divided<S: Sink>(held: &[Held], sink: &mut S) -> Flow {
             bounds = bounds.union(Bounds::of(points.iter().copied().filter(is_finite)));
         }
     }
-    let mut network = Network::new(bounds);
+    let mut network = Network::new(bounds, corners);
     let mut parts = Vec::with_capacity(held.len());
     for leaf in held {
         let faces = leaf.faces(&mut points);
         if !work::spend(LEAF + points.len()) {
             break;
         }
-        parts.push(faces.map(|faces| (network.add(faces.mesh, &points, faces.is_closed), faces.is_unit)));
+        parts.push(faces.map(|faces| (network.add(faces.mesh, &points, faces.is_box), faces.is_unit)));
     }
     let mut goes_on = network.find_points();
     let near = network.near();
@@ -155,7 +155,7 @@ fn pass_divided<S: Sink>(held: &[Held], sink: &mut S) -> Flow {
             if !network.divides(part) && (is_unit || !has_straight()) {
                 return None;
             }
-            let made = subdivider.subdivided(leaf.mesh()?.as_ref(), &network, part, near)?;
+            let made = subdivider.subdivided(leaf.mesh()?.as_ref(), &network, part, (!is_unit).then_some(near))?;
             let rest = room.checked_sub(made.corners().len());
             room = rest.unwrap_or_default();
             rest.map(|_| made)

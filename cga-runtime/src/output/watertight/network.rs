@@ -1,6 +1,7 @@
 //! The distinct points and edges of the leaves of an initial shape, and the points inside of each edge.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::DVec3;
 
@@ -28,12 +29,15 @@ pub(super) struct Network {
     edges: Vec<[u32; 2]>,
     /// The numbers of the points of all leaves.
     leaf_points: Vec<u32>,
-    /// The numbers of the edges of all leaves, in the order of their loops.
+    /// For each corner of all leaves the number of the edge that begins there, or [`NO_EDGE`].
     leaf_edges: Vec<u32>,
     /// For each edge the points inside, from its first to its second end, as a range of `inside`.
     ranges: Vec<[u32; 2]>,
     inside: Vec<u32>,
 }
+
+/// The number of an edge whose ends are one place.
+const NO_EDGE: u32 = u32::MAX;
 
 /// The points and edges of a leaf in a [`Network`].
 #[derive(Clone, Copy, Debug)]
@@ -50,40 +54,46 @@ impl LeafPart {
 }
 
 impl Network {
-    /// A network without points. Sinks write coordinates relative to an origin that follows from the bounds.
-    pub(super) fn new(bounds: Bounds) -> Self {
+    /// A network without points, for leaves with so many corners. Sinks write coordinates relative to an origin that follows from the
+    /// bounds.
+    pub(super) fn new(bounds: Bounds, corners: usize) -> Self {
+        // Boxes have half as many edges as corners, and share some points and edges.
+        let shared = corners / 2;
         Network {
             origin: near_origin(bounds),
-            numbers: HashMap::default(),
+            numbers: HashMap::with_capacity_and_hasher(shared / 2, FixedState::default()),
             points: Vec::new(),
-            edge_numbers: HashMap::default(),
+            edge_numbers: HashMap::with_capacity_and_hasher(shared, FixedState::default()),
             edges: Vec::new(),
             leaf_points: Vec::new(),
-            leaf_edges: Vec::new(),
+            leaf_edges: Vec::with_capacity(corners),
             ranges: Vec::new(),
             inside: Vec::new(),
         }
     }
 
-    /// Adds the points and edges of a leaf: the edges of a mesh with its points at other places.
-    pub(super) fn add(&mut self, mesh: &Mesh, places: &[DVec3], is_closed: bool) -> LeafPart {
+    /// Adds the points and edges of a leaf: the edges of a mesh with its points at other places. The mesh of a box is known to have
+    /// each edge in both directions.
+    pub(super) fn add(&mut self, mesh: &Mesh, places: &[DVec3], is_box: bool) -> LeafPart {
         let (first_point, first_edge) = (self.leaf_points.len(), self.leaf_edges.len());
         for &place in places {
             let number = self.number(place);
             self.leaf_points.push(number);
         }
-        for face in mesh.faces() {
-            for ring in face.loops() {
-                let Some(&last) = ring.last() else { continue };
-                let mut from = last;
-                for &to in ring {
-                    // A closed mesh has each edge in both directions.
-                    if from < to || !is_closed {
-                        let ends = [from, to].each(|end| self.leaf_points[first_point + end as usize]);
-                        self.add_edge(ends);
-                    }
-                    from = to;
-                }
+        let corners = mesh.corners();
+        let ends = |from: usize, to: usize| [from, to].each(|corner| first_point + corners[corner] as usize);
+        if is_box {
+            let (adjacency, mut known) = (mesh.adjacency(), [NO_EDGE; 12]);
+            for (edge, known) in known.iter_mut().enumerate().take(adjacency.edge_count()) {
+                let corner = adjacency.uses(edge)[0];
+                let ends = ends(corner as usize, adjacency.next(corner) as usize).each(|point| self.leaf_points[point]);
+                *known = self.edge(ends);
+            }
+            self.leaf_edges.extend((0..corners.len() as u32).map(|corner| known[adjacency.edge(corner)]));
+        } else {
+            for [from, to] in mesh.faces().flat_map(|face| face.edges()) {
+                let number = self.edge(ends(from, to).each(|point| self.leaf_points[point]));
+                self.leaf_edges.push(number);
             }
         }
         LeafPart { points: [first_point, self.leaf_points.len()], edges: [first_edge, self.leaf_edges.len()] }
@@ -100,16 +110,17 @@ impl Network {
         number
     }
 
-    fn add_edge(&mut self, ends: [u32; 2]) {
+    /// The number of the edge between two points.
+    fn edge(&mut self, ends: [u32; 2]) -> u32 {
         if ends[0] == ends[1] {
-            return;
+            return NO_EDGE;
         }
         let next = self.edges.len() as u32;
         let number = *self.edge_numbers.entry(edge_key(ends)).or_insert(next);
         if number == next {
             self.edges.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
         }
-        self.leaf_edges.push(number);
+        number
     }
 
     /// The distance in metres within which a point is in an edge.
@@ -133,16 +144,23 @@ impl Network {
     /// Returns true if a point is inside of an edge of a leaf.
     pub(super) fn divides(&self, part: LeafPart) -> bool {
         let edges = &self.leaf_edges[part.edges[0]..part.edges[1]];
-        !self.inside.is_empty() && edges.iter().any(|edge| self.ranges[*edge as usize] != [0; 2])
+        !self.inside.is_empty() && edges.iter().any(|edge| !self.range(*edge).is_empty())
     }
 
-    /// The points inside of an edge of a leaf with these points of its mesh as ends, and true if they come from the second end to the
-    /// first.
-    pub(super) fn inside(&self, part: LeafPart, ends: [u32; 2]) -> (&[u32], bool) {
+    /// The points inside of the edge of a leaf that begins at a corner, in the direction of its network edge.
+    pub(super) fn inside(&self, part: LeafPart, corner: usize) -> &[u32] {
+        &self.inside[self.range(self.leaf_edges[part.edges[0] + corner])]
+    }
+
+    fn range(&self, edge: u32) -> Range<usize> {
+        let [start, end] = self.ranges.get(edge as usize).copied().unwrap_or_default();
+        start as usize..end as usize
+    }
+
+    /// Returns true if [`Network::inside`] leads from the second to the first of two neighbouring points of the mesh of a leaf.
+    pub(super) fn is_turned(&self, part: LeafPart, ends: [u32; 2]) -> bool {
         let ends = ends.each(|end| self.leaf_points[part.points[0] + end as usize]);
-        let range = self.edge_numbers.get(&edge_key(ends)).and_then(|edge| self.ranges.get(*edge as usize));
-        let [start, end] = range.copied().unwrap_or_default();
-        (&self.inside[start as usize..end as usize], ends[1] < ends[0])
+        ends[1] < ends[0]
     }
 
     /// The place of a point, in the world.

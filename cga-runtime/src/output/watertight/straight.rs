@@ -32,6 +32,12 @@ impl StraightCorners {
         is_reduced
     }
 
+    /// Notes a face without straight corners.
+    pub(super) fn has_none(&mut self) -> bool {
+        self.marks.clear();
+        false
+    }
+
     /// Returns true if a corner of the face is straight.
     pub(super) fn has(&self, corner: usize) -> bool {
         self.marks.get(corner).copied().unwrap_or_default()

@@ -64,8 +64,14 @@ struct EdgePoints<'a> {
 
 impl Subdivider {
     /// The mesh of a leaf in the world with all points inside of its edges as corners, and faces with such points as triangles. `near` is
-    /// the distance from an edge within which a corner is in it. `None` if the work is to end.
-    pub(super) fn subdivided(&mut self, mesh: &Mesh, network: &Network, part: LeafPart, near: f64) -> Option<Mesh> {
+    /// the distance from an edge within which a corner is in it, for a mesh that may have straight corners. `None` if the work is to end.
+    pub(super) fn subdivided(
+        &mut self,
+        mesh: &Mesh,
+        network: &Network,
+        part: LeafPart,
+        near: Option<f64>,
+    ) -> Option<Mesh> {
         let mut edges = EdgePoints {
             network,
             part,
@@ -75,7 +81,17 @@ impl Subdivider {
             points: Vec::new(),
         };
         for face in mesh.faces() {
-            let is_reduced = self.straight.find(&face, mesh.points(), near);
+            let is_reduced = match near {
+                Some(near) => self.straight.find(&face, mesh.points(), near),
+                None => self.straight.has_none(),
+            };
+            if !is_reduced && face.corner_range().all(|corner| network.inside(part, corner).is_empty()) {
+                if !work::spend(face.corner_count()) {
+                    return None;
+                }
+                edges.made.keep(face.loop_ranges(), FaceOrigin::piece(&face));
+                continue;
+            }
             self.face.read(&face, &self.straight, &mut edges);
             if !work::spend(face.corner_count() + self.face.sides.len()) {
                 return None;
@@ -104,16 +120,18 @@ impl Subdivider {
 }
 
 impl EdgePoints<'_> {
-    /// The points inside of an edge, as a range of `points`, and true if they come from its second end to its first.
-    fn of_edge(&mut self, [from, to]: [u32; 2]) -> (Range<usize>, bool) {
+    /// The points inside of the edge that begins at a corner, as a range of `points`, and true if they come from its second end to its
+    /// first.
+    fn of_edge(&mut self, corner: usize, [from, to]: [u32; 2]) -> (Range<usize>, bool) {
+        let inside = self.network.inside(self.part, corner);
+        if inside.is_empty() {
+            return (0..0, false);
+        }
         let ends = [from.min(to), from.max(to)];
         if let Some(range) = self.known.get(&ends) {
             return (range.clone(), to < from);
         }
-        let (inside, is_turned) = self.network.inside(self.part, ends);
-        if inside.is_empty() {
-            return (0..0, false);
-        }
+        let is_turned = self.network.is_turned(self.part, ends);
         let start = self.points.len();
         let [low, high] = ends.each(|end| self.places[end as usize]);
         let length = (high - low).length();
@@ -151,7 +169,7 @@ impl DividedFace {
                     let end = self.sides.len();
                     self.corners.push(Corner { point, next: first as u32, side: end..end });
                 }
-                let (points, is_turned) = edges.of_edge([point, next]);
+                let (points, is_turned) = edges.of_edge(range.start + at % ring.len(), [point, next]);
                 let start = self.sides.len();
                 self.sides.extend(&edges.points[points]);
                 if is_turned {
