@@ -2,7 +2,7 @@
 
 use super::Mesh;
 use crate::each::Each;
-use crate::triangulate::Triangulator;
+use crate::triangulate::{Triangulator, is_surely_convex};
 
 impl Triangulator {
     /// Appends the triangles of a face as indices into [`Mesh::corners`], and so into its texture coordinates and
@@ -22,6 +22,14 @@ impl Triangulator {
         }
         if let Some(unbent) = face.unbent() {
             out.extend(unbent);
+            return;
+        }
+        if range.len() == 4
+            && !face.tag().cap
+            && is_surely_convex([0, 1, 2, 3].each(|at| face.position(range.start + at)))
+        {
+            let [a, b, c, d] = [0, 1, 2, 3].each(|at| range.start as u32 + at);
+            out.extend([[a, b, c], [a, c, d]]);
             return;
         }
         let from = out.len();

@@ -24,7 +24,7 @@ use crate::each::Each;
 use crate::nesting::extent::Extent;
 use crate::tol::TOUCH_EPSILON;
 use cap::Cap;
-pub(crate) use convex::apex;
+pub(crate) use convex::{apex, is_surely_convex};
 pub(crate) use filled::{doubled_area, filling, is_filled};
 pub(crate) use highest::highest;
 use sweep::MonotoneSweep;

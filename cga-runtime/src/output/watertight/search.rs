@@ -318,5 +318,5 @@ impl Finder<'_> {
 #[inline]
 fn whole(number: f64) -> i64 {
     let towards_zero = number as i64;
-    towards_zero - i64::from(number < towards_zero as f64)
+    towards_zero.saturating_sub(i64::from(number < towards_zero as f64))
 }
