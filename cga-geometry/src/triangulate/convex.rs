@@ -84,7 +84,9 @@ mod tests {
             let (x, y) = unit(DVec3::new(rng.unit() - 0.5, rng.unit() - 0.5, rng.unit() - 0.5)).any_orthonormal_pair();
             let corners = flat.map(|p| x * p.x + y * p.y + 7.0);
             if is_surely_convex(corners) {
-                let seen = PlaneProjection::along(x.cross(y));
+                // From the side from which the corners turn left.
+                let [a, b, c, d] = corners;
+                let seen = PlaneProjection::along((b - a).cross(c - a) + (c - a).cross(d - a));
                 let mut found = Vec::new();
                 assert!(fan(&corners.map(|p| seen.apply(p)), &mut found), "{corners:?}");
                 assert_eq!(found, [[0, 1, 2], [0, 2, 3]], "{corners:?}");

@@ -17,8 +17,11 @@ use crate::geometry::work;
 /// Directions are equal if their coordinates differ by less than this.
 const DIRECTION: f64 = 1e-7;
 
-/// A direction has a table if it has at least this share of edges for each point.
+/// If edges have more directions than [`FEW_DIRECTIONS`], a direction has a table if it has at least this share of edges for each point.
 const EDGES_A_POINT: f64 = 0.05;
+
+/// The number of directions up to which each has a table. A tree of all points takes as long as so many tables.
+const FEW_DIRECTIONS: usize = 16;
 
 /// Points of a cell are sorted if there are more.
 const MANY: usize = 32;
@@ -128,7 +131,7 @@ impl Search<'_> {
             }
             edges.push(number);
         }
-        let least = EDGES_A_POINT * self.points.len() as f64;
+        let least = if found.len() <= FEW_DIRECTIONS { 0.0 } else { EDGES_A_POINT * self.points.len() as f64 };
         let (mut classes, mut others) = (Vec::new(), Vec::new());
         for (_, direction, edges) in found {
             if least <= edges.len() as f64 {
