@@ -371,7 +371,10 @@ impl<'a> Resolver<'_, 'a, '_> {
                 _ => "an attribute of the shape",
             };
             let message = format!("`{text}` is {what} and takes no arguments");
-            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
+            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(match found {
+                Use::Shape(_) => format!("write `{text}`"),
+                _ => format!("write `{text}`, or `{text}[…]` for an element of an array"),
+            });
             return;
         }
         let others = ops::all_functions().map(|row| row.name).chain(["str"]);
@@ -394,6 +397,9 @@ impl<'a> Resolver<'_, 'a, '_> {
     /// The CGA form of `scope.sx.sqrt()`, if it names a value and a function.
     fn method(&mut self, text: &str, args: &[Expr]) -> Option<String> {
         let (value, function) = text.rsplit_once('.')?;
+        if function == "equals" && args.len() == 1 {
+            return self.lookup(value).map(|_| format!("{value} == …"));
+        }
         let takes = self.takes(function).contains(&(args.len() + 1));
         self.lookup(value).filter(|_| takes)?;
         let rest = if args.is_empty() { "" } else { ", …" };

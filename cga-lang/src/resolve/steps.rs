@@ -217,7 +217,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             return;
         }
         if ops::operations(text).next().is_some() {
-            let help = habits::step(text).filter(|_| count == 3);
+            let help = habits::step(text).filter(|_| count <= 3);
             let diag = wrong_form(self.cx, name, &ops::operations(text).collect::<Vec<_>>(), args);
             if let Some(help) = help {
                 diag.help(help);
