@@ -1,16 +1,16 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. The row for single numbers
 //! comes first among rows with one name.
 
-use super::base::later;
+use super::base::function;
 use super::{
-    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Params, Run, Str, T, TS, Uses, boolean, channel,
-    float, of, or, text,
+    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Params, Str, T, TS, Uses, boolean, channel, float, of,
+    or, text,
 };
 use crate::types::Type;
 
 /// A function of its arguments only.
 const fn plain(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
-    Function { run: Run::Now(call), pure: true, ..later(name, params, ty, about) }
+    Function { pure: true, ..function(name, call, params, ty, about) }
 }
 
 /// A function that can leave a fault or end the run.
@@ -248,11 +248,23 @@ pub(super) static ARRAYS: &[Function] = &[
         INDEX,
     ),
     old(
-        plain("index", "find_element", &[of("array", BS), boolean("item")], F, "the index of the first element with a value, or -1"),
+        plain(
+            "index",
+            "find_element",
+            &[of("array", BS), boolean("item")],
+            F,
+            "the index of the first element with a value, or -1",
+        ),
         INDEX,
     ),
     old(
-        plain("index", "find_element", &[of("array", TS), text("item")], F, "the index of the first element with a value, or -1"),
+        plain(
+            "index",
+            "find_element",
+            &[of("array", TS), text("item")],
+            F,
+            "the index of the first element with a value, or -1",
+        ),
         INDEX,
     ),
 ];
