@@ -2,7 +2,7 @@
 
 use cga::{Value, cga};
 
-use crate::{leaves, lines, lot, model, sum};
+use crate::{leaves, lines, model, sum};
 
 #[test]
 fn reports_count_and_add_up() {
