@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::fs;
 
-use cga::{Assets, Settings};
+use cga::{Assets, Settings, Shape};
 
 use crate::guide;
 use crate::tree::root;
@@ -40,17 +40,43 @@ impl Step {
         for line in self.rules.iter().flat_map(|declaration| &declaration.lines) {
             let _ = writeln!(rules, "{line}");
         }
-        format!("{}\ncga! {{\n    pub grammar House;\n\n{rules}}}\n\n{}", self.uses, self.main)
+        self.program_with(&format!("cga! {{\n    pub grammar House;\n\n{rules}}}\n"))
+    }
+
+    /// The whole file with another `cga!`.
+    pub fn program_with(&self, grammar: &str) -> String {
+        format!("{}\n{grammar}\n{}", self.uses, self.main)
     }
 }
 
-/// The bytes of a step's picture, drawn again.
+fn settings() -> Settings {
+    Settings { assets: Assets::below(root().join("docs/guide")).into(), ..Settings::default() }
+}
+
+/// The bytes of the picture that the program of a step writes.
+///
+/// # Panics
+/// If the run fails.
+pub fn written(step: usize) -> Vec<u8> {
+    let model = match step {
+        // The loaded rules.
+        11 => {
+            let house = guide::step_10::House { storeys: Some(3.0), ..Default::default() };
+            house.generate_with(&Shape::rectangle(11.0, 8.0).seed(1), &settings())
+        }
+        _ => guide::model(step, &settings()),
+    };
+    let mut png = Vec::new();
+    model.expect("a model").write_png_to(&mut png).expect("a picture");
+    png
+}
+
+/// The bytes of a step's picture in the tutorial, drawn again.
 ///
 /// # Panics
 /// If the run fails.
 pub fn picture(step: usize) -> Vec<u8> {
-    let assets = Assets::below(root().join("docs/guide")).into();
-    let model = guide::model(step, &Settings { assets, ..Settings::default() }).expect("a model");
+    let model = guide::model(step, &settings()).expect("a model");
     assert_eq!(model.faults(), []);
     let mut png = Vec::new();
     guide::picture(step).render(&model).write_indexed_png_to(&mut png).expect("a picture");

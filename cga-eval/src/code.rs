@@ -77,8 +77,6 @@ pub(crate) enum Instruction {
     Style(Box<[u32]>),
     /// Adds whether the site is one of these.
     Site(Box<[u32]>),
-    /// Adds a placeholder, with a fault.
-    Later(Type, Text),
     /// Replaces a text by a file that is searched from a folder.
     File(Text),
     /// Replaces texts by files that are searched from a folder.

@@ -2,7 +2,7 @@
 
 use cga_lang::ir::{Prefix, Type};
 use cga_runtime::rt::{
-    Adjust, Align, Axis, ChangePlace, Components, Item, Piece, Size, Successor, Text, TextureSpace, UvAxis,
+    Adjust, Align, Axis, ChangePlace, Components, Item, Piece, Size, Successor, TextureSpace, UvAxis,
 };
 
 use crate::code::{ArmsCode, Code, HostOperation, Sites};
@@ -56,8 +56,6 @@ pub(crate) enum StepCode {
     Whole(Box<[WholeStep]>),
     /// The last step: the branches with their conditions, and the other branch.
     Case(Box<[(Code, Body)]>, Box<Body>),
-    /// A placeholder for an operation.
-    Later(Text),
     /// A successor with the number of the child. The last one is the current shape itself.
     Give { target: TargetCode, number: u32, is_last: bool },
     /// A call of an import with other values.

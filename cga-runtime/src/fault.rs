@@ -19,8 +19,6 @@ pub enum FaultKind {
     Geometry,
     /// A limit on data that a run keeps: reports, printed lines, files to search.
     Limit,
-    /// A part of the language that this runtime does not implement yet.
-    NotImplemented,
     /// Reported by an operation written in Rust.
     Host,
 }

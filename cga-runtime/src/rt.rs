@@ -13,7 +13,7 @@ pub use crate::comp::{
     Align, Arm, Components, Mode, Select, comp, comp_and_rest, comp_values, divide, each, never, sections,
 };
 pub use crate::fault::Error;
-pub use crate::func::{host, later};
+pub use crate::func::host;
 pub use crate::geometry::Axis;
 pub use crate::geometry::mesh::{TextureSpace, UvAxis};
 pub use crate::grammar::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Range, check};

@@ -13,7 +13,7 @@ mod step_06;
 mod step_07;
 mod step_08;
 mod step_09;
-mod step_10;
+pub(crate) mod step_10;
 
 use std::error::Error;
 use std::path::Path;

@@ -104,7 +104,7 @@ pub fn scene() -> Scene<()> {
     Scene {
         name: "bridge",
         title: "Bridge",
-        sentence: "A cylinder is cut out of each span, whatever its width; the length of the river decides how many there are.",
+        sentence: "A cylinder is cut out of each span, whatever its width; the length of the bridge determines the number of spans.",
         rules: grammar_text(include_str!("bridge.rs")),
         grammar: (),
         shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 46.0))],

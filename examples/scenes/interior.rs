@@ -73,7 +73,7 @@ cga! {
                 t(-1, 0, 1.4) [ r(scopeCenter, 0, 180, 0) Chair ] t(1, 0, 0) r(scopeCenter, 0, 172, 0) Chair
 
     Rug     --> comp(f) { top : offset(-0.25) comp(f) { inside : color("#d9c7a3") Rug. | border : color("#9c4a3c") Rug. } | all : NIL }
-    // A sofa and an armchair are one rule: the width decides how many cushions there are.
+    // A sofa and an armchair are one rule: the width determines the number of cushions.
     Sofa    --> color(fabric) split(x) { 0.18 : Arm | ~1 : split(z) { 0.24 : Rest. | ~1 : Seat } | 0.18 : Arm }
     Arm     --> s(^1, ^0.72, ^1) Arm.
     Seat    --> split(y) { 0.24 : Base. | 0.2 : split(x) { { ~0.75 : Cushion }* } | ~1 : NIL }

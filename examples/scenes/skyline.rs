@@ -93,7 +93,7 @@ pub fn scene() -> Scene<()> {
     Scene {
         name: "skyline",
         title: "Skyline",
-        sentence: "Its place decides how high each of 120 lots may be, and chance picks one of seven kinds of buildings.",
+        sentence: "The position of each of 120 lots limits its height, and chance picks one of seven kinds of buildings.",
         rules: grammar_text(include_str!("skyline.rs")),
         grammar: (),
         shapes: vec![Start::new("City", Shape::rectangle(620.0, 470.0).at([-310.0, 0.0, -235.0]).seed(2))],

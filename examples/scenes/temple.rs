@@ -19,7 +19,7 @@ cga! {
     /// The space from axis to axis, in diameters. The outline determines the number of columns.
     @Order(3) @Range(min = 1.8, max = 4)
     attr spacing = 2.4
-    /// The diameter of a column at its head, as a share of that at its foot.
+    /// The diameter of a column at its head, as a share of its diameter at the foot.
     @Order(4) @Percent @Range(min = 0.6, max = 1)
     attr diminution = 0.76
     /// The slope of the roof in degrees.

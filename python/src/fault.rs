@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 #[pyclass(frozen, get_all, module = "pycga")]
 #[derive(Clone, Debug)]
 pub(crate) struct Fault {
-    /// `"value"`, `"asset"`, `"geometry"`, `"limit"`, `"not_implemented"`, `"host"` or `"other"`.
+    /// `"value"`, `"asset"`, `"geometry"`, `"limit"`, `"host"` or `"other"`.
     kind: &'static str,
     /// The problem, and the value that was used instead.
     message: String,
@@ -37,7 +37,6 @@ impl From<&Row> for Fault {
             FaultKind::Asset => "asset",
             FaultKind::Geometry => "geometry",
             FaultKind::Limit => "limit",
-            FaultKind::NotImplemented => "not_implemented",
             FaultKind::Host => "host",
             _ => "other",
         };

@@ -1,8 +1,8 @@
 //! The results of a rule: leaves, reports, prints.
 
-use cga::{FaultKind, Value, cga};
+use cga::{Value, cga};
 
-use crate::{leaves, lines, lot, model, sum};
+use crate::{leaves, lines, model, sum};
 
 #[test]
 fn reports_count_and_add_up() {
@@ -63,19 +63,4 @@ fn what_is_printed_keeps_its_value_and_the_rule() {
     let model = model(&Printing::default());
     let said: Vec<(&str, Value)> = model.prints().iter().map(|line| (line.rule.as_str(), line.value.clone())).collect();
     assert_eq!(said, [("", 2.0.into()), ("Lot", 1.0.into()), ("Lot", 2.0.into()), ("B", "b".into())]);
-}
-
-#[test]
-fn what_does_not_run_yet_leaves_one_fault_and_a_value_of_its_type() {
-    cga! {
-        @Allow(not_implemented)
-        grammar Later = r#"
-            Lot --> center(sel("x" + "z")) center(sel("x" + "y")) X.
-        "#;
-    }
-    let model = Later::default().generate(&lot()).expect("faults end no run");
-    let names: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
-    assert!(model.faults().iter().all(|fault| fault.kind == FaultKind::NotImplemented));
-    assert_eq!(names.len(), 1, "{names:?}");
-    assert_eq!(leaves(&model), ["X"]);
 }

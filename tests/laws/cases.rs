@@ -20,8 +20,7 @@ fn outcome(grammar: &dyn Grammar, settings: &Settings, shape: &Shape) -> Outcome
 }
 
 cga! {
-    @Allow(not_implemented)
-    grammar Unready;
+    grammar Mapped;
     Lot  --> split(x) { { 1 : Tile }* }
     Tile --> s(1, 1 + getGeoCoord(lat), 1) Wall.
 }
@@ -30,7 +29,7 @@ cga! {
 fn a_fault_that_is_said_once_is_said_where_no_template_is_made() {
     for repeats in [Repeats::Kept, Repeats::Again, Repeats::Direct] {
         let settings = Settings { repeats, ..Settings::default() };
-        let run = outcome(&Unready::default(), &settings, &lot(5.0, 5.0));
+        let run = outcome(&Mapped::default(), &settings, &lot(5.0, 5.0));
         assert_eq!(run.report.map(|report| report.faults().len()), Ok(1), "{repeats:?}");
     }
 }

@@ -1,4 +1,4 @@
-//! Checks rule files: errors and warnings as the macro reports them, and the operations that do not run yet. Findings are text with the
+//! Checks rule files: errors and warnings as the macro reports them. Findings are text with the
 //! lines of the file, one line each, or JSON.
 
 mod count;

@@ -6,7 +6,7 @@ use crate::options::CheckOptions;
 use crate::stream::visible_line;
 use cga_lang::compile::compile;
 use cga_lang::diag::code::Code;
-use cga_lang::diag::{Detail, Diag, Diags, Level, Line};
+use cga_lang::diag::{Diag, Diags, Level, Line};
 use cga_lang::syntax::parse::parse;
 use cga_source::RuleFiles;
 use std::cell::OnceCell;
@@ -31,13 +31,11 @@ pub(crate) struct Printer<'o> {
     failed: usize,
     lines: usize,
     codes: BTreeMap<(Level, Code), usize>,
-    later: BTreeMap<String, usize>,
 }
 
 impl<'o> Printer<'o> {
     pub(crate) fn new(options: &'o CheckOptions, imported: HashSet<String>) -> Self {
-        let (codes, later) = (BTreeMap::new(), BTreeMap::new());
-        Printer { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes, later }
+        Printer { options, imported, seen: HashSet::new(), files: 0, failed: 0, lines: 0, codes: BTreeMap::new() }
     }
 
     /// Returns true if a file has errors, or warnings that are denied.
@@ -68,9 +66,6 @@ impl<'o> Printer<'o> {
                 continue;
             }
             *self.codes.entry((diag.level, diag.code)).or_default() += 1;
-            if let Detail::Later(name) = &diag.detail {
-                *self.later.entry(name.clone()).or_default() += 1;
-            }
             if self.options.quiet || self.options.no_warnings && diag.level != Level::Error {
                 continue;
             }
@@ -97,9 +92,6 @@ impl<'o> Printer<'o> {
         if 0 < own.imported {
             write!(out, "; {} in imported files", counted((own.imported, "error")))?;
         }
-        if !own.later.is_empty() {
-            write!(out, "; not implemented: {}", list(&own.later))?;
-        }
         writeln!(out)
     }
 
@@ -118,9 +110,6 @@ impl<'o> Printer<'o> {
             let colon = if sum == 0 { "" } else { ": " };
             writeln!(out, "{}{colon}{}", counted((sum, word)), list(&codes))?;
         }
-        if !self.later.is_empty() {
-            writeln!(out, "not implemented: {}", list(&self.later))?;
-        }
         Ok(())
     }
 }
@@ -133,7 +122,6 @@ struct Own {
     shown: usize,
     /// Errors in imported files.
     imported: usize,
-    later: BTreeMap<String, usize>,
 }
 
 impl Own {
@@ -143,11 +131,6 @@ impl Own {
             (Level::Error, false) => self.imported += 1,
             (_, true) => self.warnings += 1,
             (_, false) => {}
-        }
-        if let Detail::Later(name) = &diag.detail
-            && here
-        {
-            *self.later.entry(name.clone()).or_default() += 1;
         }
     }
 }

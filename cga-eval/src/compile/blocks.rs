@@ -18,7 +18,7 @@ impl Compiler<'_> {
             Braces::Modified => {
                 components(&block.args).map(|(components, align)| ArmsKind::CompAndRest(components, align))?
             }
-            _ => ArmsKind::Divide(dispatch::arms::call(&block.row.key()?, &block.args)?),
+            _ => ArmsKind::Divide(dispatch::arms::call(&block.row.key(), &block.args)?),
         };
         Some(ArmsStep {
             kind,
@@ -47,7 +47,7 @@ impl Compiler<'_> {
         let rest = parts.rest.iter().map(|arm| self.target(&arm.then, at));
         slots.targets = slots.targets.into_iter().chain(rest).collect();
         Some(SectionsStep {
-            call: dispatch::sections::call(&block.row.key()?, &block.args)?,
+            call: dispatch::sections::call(&block.row.key(), &block.args)?,
             args: self.args(block.row.params, &block.args, at.locals),
             slots,
             depths,
@@ -59,7 +59,7 @@ impl Compiler<'_> {
     /// An operation with the same successor for each part.
     pub(super) fn each(&self, block: &Block, target: &Target, at: InRule<'_>, number: u32) -> Option<EachStep> {
         Some(EachStep {
-            call: dispatch::each::call(&block.row.key()?, &block.args)?,
+            call: dispatch::each::call(&block.row.key(), &block.args)?,
             args: self.args(block.row.params, &block.args, at.locals),
             target: self.target(target, at),
             number,
@@ -75,7 +75,7 @@ impl Compiler<'_> {
         number: u32,
     ) -> Option<OperandsStep> {
         Some(OperandsStep {
-            call: dispatch::operands::call(&block.row.key()?, &block.args)?,
+            call: dispatch::operands::call(&block.row.key(), &block.args)?,
             args: self.args(block.row.params, &block.args, at.locals),
             operands: operands.iter().map(|target| self.target(target, at)).collect(),
             recomposes: block.recomposes(),

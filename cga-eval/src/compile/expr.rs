@@ -168,9 +168,8 @@ impl Compiler<'_> {
                     param.kind.words().is_none() || !matches!(arg.kind, ExprKind::Value(Value::Text(_)))
                 });
                 values.for_each(|(arg, _)| self.expr(arg, locals, steps));
-                match dispatch::function(function, args) {
-                    Some(call) => steps.call(call),
-                    None => steps.add(Instruction::Later(expr.ty, Text::fixed(function.name))),
+                if let Some(call) = dispatch::function(function, args) {
+                    steps.call(call);
                 }
             }
             ExprKind::Rust(path, args) => {
@@ -182,10 +181,11 @@ impl Compiler<'_> {
                 let args = args.iter().map(|arg| arg.ty).collect();
                 steps.add(Instruction::Host(Box::new(HostCall { name, function, args, ty: expr.ty, is_value: false })));
             }
-            ExprKind::Shape(attr) => match dispatch::read(attr) {
-                Some(call) => steps.call(call),
-                None => steps.add(Instruction::Later(expr.ty, Text::fixed(attr.name))),
-            },
+            ExprKind::Shape(attr) => {
+                if let Some(call) = dispatch::read(attr) {
+                    steps.call(call);
+                }
+            }
             ExprKind::Comp(comp) => self.comp(comp, expr.ty, locals, steps),
             ExprKind::Word(word) => {
                 if let Some(word) = dispatch::rt_word(word) {
@@ -194,7 +194,6 @@ impl Compiler<'_> {
             }
             ExprKind::Style(styles) => steps.add(Instruction::Style(styles.clone().into())),
             ExprKind::Site(sites) => steps.add(Instruction::Site(sites.clone().into())),
-            ExprKind::Later(what) => steps.add(Instruction::Later(expr.ty, what.as_str().into())),
             ExprKind::Array(rows) => {
                 self.parts(rows.iter().flatten(), locals, steps);
                 let types = rows.iter().map(|row| row.iter().map(|entry| entry.ty).collect()).collect();

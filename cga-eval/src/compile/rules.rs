@@ -98,7 +98,7 @@ impl Compiler<'_> {
                 Some(SlimStep::Says(args, call))
             }
             (SlimChange::Scope, StepKind::Do(row, args)) => {
-                let call = dispatch::slim::call(&row.key()?, args)?;
+                let call = dispatch::slim::call(&row.key(), args)?;
                 Some(SlimStep::Scope(self.args(row.params, args, at.locals), call))
             }
             (SlimChange::Material { sites, is_of_run, reaches_caps }, _) => {
@@ -115,7 +115,7 @@ impl Compiler<'_> {
 
     /// An operation that reads the shape alone.
     fn says(&self, row: &Operation, args: &[Arg], at: InRule<'_>) -> Option<(Code, FunctionCall)> {
-        let call = dispatch::says::call(&row.key()?, args)?;
+        let call = dispatch::says::call(&row.key(), args)?;
         Some((self.args(row.params, args, at.locals), call))
     }
 
@@ -161,7 +161,6 @@ impl Compiler<'_> {
     /// A step that makes children.
     fn step(&self, step: &Step, at: InRule<'_>, number: u32, is_last: bool) -> Option<StepCode> {
         Some(match &step.kind {
-            StepKind::Later(what) => StepCode::Later(what.as_str().into()),
             StepKind::Give(target) => StepCode::Give { target: self.target(target, at), number, is_last },
             StepKind::Renew(call) => StepCode::Renew(Box::new(self.renew(call, at, number))),
             StepKind::Push(steps) => StepCode::Push(self.body(steps, at, 0, false, true), number),

@@ -188,23 +188,22 @@ impl SizeKind {
 
 /// The call of a function.
 pub(crate) fn function(row: &Function, args: &[Expr]) -> Option<FunctionCall> {
-    functions::call(&row.key()?, args)
+    functions::call(&row.key(), args)
 }
 
 /// The read of an attribute of shapes.
 pub(crate) fn read(row: &ShapeAttr) -> Option<FunctionCall> {
-    row.get.now()?;
     get::material::call(row.name).or_else(|| get::shape::call(row.name))
 }
 
 /// The change of an attribute of shapes.
 pub(crate) fn set(row: &ShapeAttr) -> Option<Change> {
-    row.set?.now()?;
+    row.set?;
     set::call(row.name)
 }
 
 /// The change of a whole shape by an operation.
 pub(crate) fn change(row: &Operation, args: &[Arg]) -> Option<Change> {
-    let key = row.key()?;
+    let key = row.key();
     operations::whole::call(&key, args).or_else(|| operations::made::call(&key, args))
 }

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use cga_lang::ir::Type;
-use cga_runtime::rt::{self, Array, Env, File, Files, ShapeRef, Text, Value, func, host, later};
+use cga_runtime::rt::{self, Array, Env, File, Files, ShapeRef, Text, Value, func, host};
 use cga_runtime::rt_eval::Candidate;
 
 use super::values::Values;
@@ -175,7 +175,6 @@ impl Values {
             }
             Instruction::Style(styles) => stack.push_bool(styles.contains(&self.style)),
             Instruction::Site(sites) => stack.push_bool(sites.contains(&frame.site)),
-            Instruction::Later(ty, what) => placeholder(stack, env, *ty, what),
             Instruction::File(folder) => {
                 let name = stack.text();
                 stack.objects.push(Object::File(Box::new(File::new(name, folder.clone()))));
@@ -301,18 +300,6 @@ fn texts(operator: NumberOperator, a: &Text, b: &Text) -> bool {
         NumberOperator::Gt => a > b,
         NumberOperator::Ge => a >= b,
         _ => false,
-    }
-}
-
-/// The value of something that does not run yet.
-fn placeholder(stack: &mut Stack, env: &mut Env, ty: Type, what: &str) {
-    match ty {
-        Type::Float => stack.push_float(later::float(env, what)),
-        Type::Bool => stack.push_bool(later::bool(env, what)),
-        Type::Text => stack.push_text(later::text(env, what)),
-        Type::Floats => stack.push_floats(later::floats(env, what)),
-        Type::Bools => stack.push_bools(later::bools(env, what)),
-        Type::Texts => stack.push_texts(later::texts(env, what)),
     }
 }
 

@@ -89,7 +89,6 @@ impl Values {
                     self.body(cx, &rt::push(current, *number), inside, rule, frame, childless)?;
                     *childless = false;
                 }
-                StepCode::Later(what) => rt::later::operation(cx.env, what),
                 StepCode::Arms(step) => {
                     self.arms(cx, current, step, frame)?;
                     *childless = false;

@@ -156,7 +156,7 @@ fn known(cx: &mut Context, annotation: &Annotation) -> Option<&'static str> {
     // *CGA changelog 2019.1*: other capitals are a warning, and the annotation counts.
     if let Some(known) = ANNOTATIONS.iter().find(|known| known.eq_ignore_ascii_case(name)) {
         let message = format!("annotation `@{name}` is written `@{known}`");
-        cx.diags.report(Code::UnknownAnnotation, span, message);
+        cx.diags.report(Code::UnknownAnnotation, span, message).help(format!("write `@{known}`"));
         return Some(known);
     }
     cx.diags

@@ -57,7 +57,6 @@ codes! {
     EmptyGroup "empty_group" Error "A split, a group or a comp with nothing in it.",
     MisplacedPrefix "misplaced_prefix" Error "`'` or `~` before something other than a size.",
     StrayQuote "stray_quote" Warning "A `'` after a size.",
-    NotImplemented "not_implemented" Warning "A feature of CGA that is not implemented yet.",
     OldSpelling "old_spelling" Warning "A deprecated spelling of CGA.",
     CannotImport "cannot_import" Error "A file that cannot be imported.",
     UnknownStyle "unknown_style" Error "A style that does not exist.",
@@ -77,6 +76,7 @@ codes! {
     UnknownAxis "unknown_axis" Error "An unknown axis of a split.",
     UnknownSelector "unknown_selector" Error "An unknown component selector.",
     UnknownWord "unknown_word" Error "An unknown keyword as an argument.",
+    ComputedWord "computed_word" Error "A word that is computed, where the compiler must know it.",
     NotSettable "not_settable" Error "`set` of a name that cannot be set.",
     // Arguments and types.
     ArgumentCount "argument_count" Error "An operation or function with the wrong number of arguments.",

@@ -40,8 +40,6 @@ pub enum Detail {
     None,
     /// The value that a condition always has.
     Condition(bool),
-    /// The name of what is not implemented.
-    Later(String),
 }
 
 /// A reason, with an optional second place.

@@ -6,7 +6,6 @@ use super::instances::CommonDiags;
 use crate::analysis::body;
 use crate::diag::code::Code;
 use crate::diag::{Diag, Diags};
-use crate::ops::{Operation, Run};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind};
@@ -76,7 +75,6 @@ fn sequence(ops: &[Op], made: bool, restored: bool, names: Entries, diags: &mut 
 
 /// Returns true if an operation with braces certainly makes a child. The slots of a split may find nothing to divide.
 fn makes_children(block: &Block, names: Entries) -> bool {
-    let divides = |row: &Operation| row.run != Run::Later && row.braces.divides();
-    let makes = matches!(names.of(&block.name), Some(Use::Operation(row)) if divides(row));
+    let makes = matches!(names.of(&block.name), Some(Use::Operation(row)) if row.braces.divides());
     makes && block.parts.iter().any(|part| matches!(part, BlockPart::Arms(_)))
 }

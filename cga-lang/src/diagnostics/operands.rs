@@ -3,7 +3,7 @@
 use crate::analysis::body;
 use crate::diag::Diags;
 use crate::diag::code::Code;
-use crate::ops::{Braces, Operation, Run};
+use crate::ops::{Braces, Operation};
 use crate::resolve::context::Context;
 use crate::resolve::tables::{Entries, Use};
 use crate::syntax::ast::{Block, BlockPart, Op, OpKind, Role};
@@ -20,7 +20,7 @@ pub(crate) fn check(
     known: &mut [Option<bool>],
     diags: &mut Diags,
 ) {
-    if row.braces != Braces::Operands || row.run == Run::Later {
+    if row.braces != Braces::Operands {
         return;
     }
     for operand in block.parts.iter().flat_map(|part| if let BlockPart::Ops(sides) = part { &sides[..] } else { &[] }) {

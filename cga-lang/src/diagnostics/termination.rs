@@ -5,7 +5,7 @@ use crate::analysis::{Calls, body};
 use crate::diag::code::Code;
 use crate::diag::{Basis, Diag, Level, by_way_of};
 use crate::graph::{components, is_cycle};
-use crate::ops::{Braces, Effect, Run};
+use crate::ops::{Braces, Effect};
 use crate::resolve::context::Context;
 use crate::resolve::globals::Declared;
 use crate::resolve::tables::{Entries, Use};
@@ -144,7 +144,7 @@ fn goes_on(list: &[Op], names: Entries, ends: Ends, within: &dyn Fn(u32) -> bool
 /// Returns true if the operations in the braces act on the whole shape.
 fn is_derived(block: &Block, names: Entries) -> bool {
     let is_operand = |braces: Braces| matches!(braces, Braces::Inline | Braces::Operands);
-    matches!(names.of(&block.name), Some(Use::Operation(row)) if row.run != Run::Later && is_operand(row.braces))
+    matches!(names.of(&block.name), Some(Use::Operation(row)) if is_operand(row.braces))
 }
 
 /// The operations of the only slot, if it takes the whole shape.

@@ -43,8 +43,6 @@ pub enum ExprKind {
     Style(Vec<u32>),
     /// Returns true if the site of the shared rule or function is one of these numbers.
     Site(Vec<u32>),
-    /// A value that is known and cannot be computed yet: 0, false, empty, or the given value.
-    Later(String),
     /// `[a, b; c, d]`: entries are elements or arrays.
     Array(Vec<Vec<Expr>>),
     /// `base : step : limit`.

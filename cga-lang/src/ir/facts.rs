@@ -143,7 +143,6 @@ impl Facts {
             | ExprKind::Param(_)
             | ExprKind::Style(_)
             | ExprKind::Site(_)
-            | ExprKind::Later(_)
             | ExprKind::Array(_)
             | ExprKind::Range(..)
             | ExprKind::Index(..)

@@ -344,8 +344,6 @@ pub enum StepKind {
     SetAttr(GlobalId, Expr),
     /// `set(name, value)` on an attribute of the shape itself.
     SetShape(&'static ShapeAttr, Expr),
-    /// Something that is known and does nothing yet.
-    Later(String),
     /// A Rust function as operation: `path::to(args)`.
     Rust(String, Vec<Expr>),
     /// A successor: hands a copy of the current shape on.

@@ -23,7 +23,6 @@ macro_rules! step_walkers {
                     StepKind::Do(..)
                     | StepKind::SetAttr(..)
                     | StepKind::SetShape(..)
-                    | StepKind::Later(..)
                     | StepKind::Rust(..)
                     | StepKind::Give(_)
                     | StepKind::Block(_)
@@ -50,7 +49,6 @@ macro_rules! step_walkers {
                 StepKind::Do(..)
                 | StepKind::SetAttr(..)
                 | StepKind::SetShape(..)
-                | StepKind::Later(..)
                 | StepKind::Rust(..)
                 | StepKind::Push(_)
                 | StepKind::Case { .. } => Vec::new(),
@@ -82,7 +80,7 @@ macro_rules! step_walkers {
                     list
                 }
                 StepKind::Case { arms, .. } => arms.$iter().map(|(condition, _)| condition).collect(),
-                StepKind::Give(_) | StepKind::Push(_) | StepKind::Later(..) => Vec::new(),
+                StepKind::Give(_) | StepKind::Push(_) => Vec::new(),
             }
         }
 
@@ -200,8 +198,7 @@ macro_rules! parts {
             | ExprKind::Word(_)
             | ExprKind::Style(_)
             | ExprKind::Site(_)
-            | ExprKind::Chance { .. }
-            | ExprKind::Later(_) => Vec::new(),
+            | ExprKind::Chance { .. } => Vec::new(),
             ExprKind::Call(_, _, args) | ExprKind::Builtin(_, args) | ExprKind::Rust(_, args) => args.$iter().collect(),
             ExprKind::Neg(a)
             | ExprKind::Not(a)

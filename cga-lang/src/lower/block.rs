@@ -6,7 +6,7 @@ use crate::ir::{
     Target, Type,
 };
 use crate::lower::fold::fold;
-use crate::ops::{self, Braces, Directions, Operation, Run, SameAs, SelectorPlaces};
+use crate::ops::{self, Braces, Directions, Operation, SameAs, SelectorPlaces};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
@@ -14,9 +14,6 @@ use crate::syntax::ast::{self, ArmMode, BlockPart, Section, SplitItem};
 impl<'c> Lower<'c> {
     pub(super) fn block(&mut self, block: &'c ast::Block) -> Option<StepKind> {
         let Use::Operation(row) = self.used(&block.name)? else { return None };
-        if row.run == Run::Later {
-            return Some(StepKind::Later(block.name.text.clone()));
-        }
         let args = self.args(row, &block.args, block.name.span);
         let parts = match (row.braces, block.parts.as_slice()) {
             (_, [BlockPart::Slots(items, repeat)]) => {
@@ -36,7 +33,7 @@ impl<'c> Lower<'c> {
                 BlockParts::Operands(sides.iter().map(|ops| self.part(ops, block.name.span)).collect())
             }
             // Braces that could not be read.
-            _ => return Some(StepKind::Later(block.name.text.clone())),
+            _ => return None,
         };
         Some(StepKind::Block(Block { row, args, parts }))
     }

@@ -3,7 +3,7 @@
 use super::{Lower, expr};
 use crate::ir::{Arg, Expr, ExprKind, GlobalId, Param, Prefix, Rule, RuleId, Size, Step, StepKind, Target, walk};
 use crate::lower::fold::fold;
-use crate::ops::{self, Operation, ParamKind, Run, Words};
+use crate::ops::{self, Operation, ParamKind, Words};
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, OpKind};
@@ -78,17 +78,12 @@ impl<'c> Lower<'c> {
     }
 
     fn call(&mut self, span: Span, name: &'c ast::Name, args: &'c [ast::Arg]) -> Option<StepKind> {
-        if self.is_later(name) {
-            return Some(StepKind::Later(name.text.clone()));
-        }
         Some(match self.used(name)? {
-            Use::Operation(row) if row.run == Run::Later => StepKind::Later(name.text.clone()),
             Use::Operation(row) => StepKind::Do(row, self.args(row, args, span)),
             Use::SetAttr(index) => {
                 self.out.globals[index as usize].is_set = true;
                 StepKind::SetAttr(GlobalId(index), self.folded(&args.get(1)?.value))
             }
-            Use::SetShape(row) if row.set == Some(Run::Later) => StepKind::Later(format!("set({})", row.name)),
             Use::SetShape(row) if row.kind.is_file() => StepKind::SetShape(row, self.file(&args.get(1)?.value)),
             Use::SetShape(row) => StepKind::SetShape(row, self.folded(&args.get(1)?.value)),
             _ => StepKind::Give(self.successor(name, args)?),

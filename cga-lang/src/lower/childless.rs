@@ -34,11 +34,7 @@ fn walk(steps: &[Step], start: Paths) -> Paths {
     let mut paths = start;
     for step in steps {
         paths = match &step.kind {
-            StepKind::Do(..)
-            | StepKind::SetAttr(..)
-            | StepKind::SetShape(..)
-            | StepKind::Rust(..)
-            | StepKind::Later(..) => paths,
+            StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..) => paths,
             StepKind::Give(_) | StepKind::Renew(_) => paths.child(),
             StepKind::Block(block) => match block.parts {
                 BlockParts::Arms(_) | BlockParts::Sections(_) | BlockParts::Each(_) => paths.child(),

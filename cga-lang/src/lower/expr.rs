@@ -2,7 +2,7 @@
 
 use super::{Lower, block};
 use crate::ir::{Binary, EachUnary, Expr, ExprKind, FunctionId, GlobalId, Type, Value};
-use crate::ops::{self, Run};
+use crate::ops;
 use crate::resolve::tables::Use;
 use crate::span::Span;
 use crate::syntax::ast::{self, Unary};
@@ -24,10 +24,6 @@ impl Lower<'_> {
             ast::ExprKind::Call(name, args) => {
                 let found = self.used(name);
                 let args = match found {
-                    Some(Use::Builtin(row)) if self.is_later(name) => {
-                        let kind = ExprKind::Later(row.name.into());
-                        return Expr { kind, ty: row.ty, span: expr.span };
-                    }
                     Some(Use::Builtin(row)) => self.builtin_args(row, args),
                     _ => self.exprs(args),
                 };
@@ -159,9 +155,7 @@ impl Lower<'_> {
             Some(Use::Function(index)) => {
                 (ExprKind::Call(FunctionId(index), Vec::new(), args), self.type_of(&globals.functions[index as usize]))
             }
-            Some(Use::Builtin(row)) if row.run == Run::Later => (ExprKind::Later(row.name.into()), row.ty),
             Some(Use::Builtin(row)) => Self::builtin(row, args),
-            Some(Use::Shape(row)) if row.get == Run::Later => (ExprKind::Later(row.name.into()), row.ty()),
             Some(Use::Shape(row)) => (ExprKind::Shape(row), row.ty()),
             Some(Use::Convert(ty)) => match args.pop() {
                 Some(arg) => convert(arg, ty),

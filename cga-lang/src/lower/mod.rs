@@ -98,11 +98,6 @@ impl<'c> Lower<'c> {
         self.checked.tables.at(self.own).of(name)
     }
 
-    /// Returns true if a call cannot run yet though others of its name do.
-    fn is_later(&self, name: &Name) -> bool {
-        self.checked.tables.later.contains(&(self.own, name.id()))
-    }
-
     /// The style of the compiled file that a declaration belongs to.
     fn style(&self, item: &Declared) -> u32 {
         self.checked.globals.program.instances[item.instance].root_style

@@ -1,14 +1,13 @@
 //! The rows that other rows are made from.
 
-use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, ParamKind, Params, Run, ShapeAttr, Str, Uses};
+use super::{AttrValues, Changes, Effect, F, Function, Meaning, Needs, ParamKind, Params, ShapeAttr, Str, Uses};
 use crate::types::Type;
 
-/// A row that is not implemented yet, and the base of implemented rows. The row has the needs of the implemented
-/// function.
-pub(super) const fn later(name: Str, params: Params, ty: Type, about: Str) -> Function {
+/// The row of a function that reads nothing.
+pub(super) const fn function(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     Function {
         name,
-        run: Run::Later,
+        run: call,
         params,
         ty,
         needs: Needs::Nothing,
@@ -26,7 +25,7 @@ pub(super) const fn later(name: Str, params: Params, ty: Type, about: Str) -> Fu
 pub(super) const fn get(name: Str, get: Str, uses: Uses) -> ShapeAttr {
     ShapeAttr {
         name,
-        get: Run::Now(get),
+        get,
         kind: ParamKind::Value(F),
         values: AttrValues::Any,
         needs: Needs::Shape,
@@ -43,7 +42,7 @@ pub(super) const fn get(name: Str, get: Str, uses: Uses) -> ShapeAttr {
 pub(super) const fn both(name: Str, call: Str, ty: Type) -> ShapeAttr {
     ShapeAttr {
         kind: ParamKind::Value(ty),
-        set: Some(Run::Now(call)),
+        set: Some(call),
         set_uses: Uses::WHOLE,
         set_changes: Changes::Whole,
         ..get(name, call, Uses::WHOLE)

@@ -1,8 +1,8 @@
 //! The functions that choose assets and images for the scope, and read data in files of assets and materials.
 
-use super::base::later;
+use super::base::function;
 use super::{
-    Allowed, B, BS, F, FILE, FS, FileUse, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TS, Uses, boolean,
+    Allowed, B, BS, F, FILE, FS, FileUse, Function, Needs, Param, ParamBounds, Params, Str, T, TS, Uses, boolean,
     bounds, file, files, float, of, text, within, word,
 };
 use crate::types::Type;
@@ -17,7 +17,7 @@ const ARRAY: Param = files("filePaths", TS);
 /// A function of the size of the scope and of files.
 const fn sized(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     let uses = Uses::SIZE.and(Uses::SAYS);
-    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, params, ty, about) }
+    Function { needs: Needs::Both, uses, ..function(name, call, params, ty, about) }
 }
 
 /// A function that also draws a random number.
@@ -79,7 +79,7 @@ const KEY: Param = text("key");
 /// A value in the file of an asset.
 const fn metadata(call: Str, params: Params, ty: Type) -> Function {
     let about = "a value kept in an asset's file";
-    Function { run: Run::Now(call), needs: Needs::Env, uses: Uses::SAYS, ..later("assetMetadata", params, ty, about) }
+    Function { needs: Needs::Env, uses: Uses::SAYS, ..function("assetMetadata", call, params, ty, about) }
 }
 
 /// Data in files of assets and materials.
@@ -91,9 +91,14 @@ pub(super) static CONTENTS: &[Function] = &[
     metadata("asset_metadata_bools", &[FILE, KEY, of("defaultValue", BS)], BS),
     metadata("asset_metadata_texts", &[FILE, KEY, of("defaultValue", TS)], TS),
     Function {
-        run: Run::Now("read_material"),
         needs: Needs::Env,
         uses: Uses::SAYS,
-        ..later("readMaterial", &[FILE], TS, "the attributes of a material file, as names and values")
+        ..function(
+            "readMaterial",
+            "read_material",
+            &[FILE],
+            TS,
+            "the attributes of a material file, as names and values",
+        )
     },
 ];

@@ -1,9 +1,9 @@
 //! The functions.
 
-use super::base::later;
+use super::base::function;
 use super::{
-    Allowed, B, Default, F, Function, Needs, Param, ParamBounds, Params, Run, Str, T, TAG_QUERY, TS, Uses, bounds,
-    choice, or, queries, renamed, set_elements, text, values, within, word,
+    Allowed, B, Default, F, Function, Needs, Param, ParamBounds, Params, Str, T, TAG_QUERY, TS, Uses, bounds, choice,
+    or, queries, renamed, set_elements, text, values, within, word,
 };
 use crate::types::Type;
 
@@ -39,7 +39,7 @@ pub static FUNCTIONS: &[&[Function]] = &[
 /// A query of the tags of a component.
 const fn asked(name: Str, call: Str, params: Params, about: Str) -> Function {
     let uses = Uses::WHOLE.and(Uses::TAGS);
-    Function { run: Run::Now(call), needs: Needs::Component, uses, ..later(name, params, B, about) }
+    Function { needs: Needs::Component, uses, ..function(name, call, params, B, about) }
 }
 
 /// *contextCompare*, *contextCount* and *minimumDistance function*.
@@ -79,12 +79,12 @@ const EDGE_ATTRIBUTE: Params = &[text("attributeName")];
 const fn edge_attr(name: Str, call: Str, ty: Type) -> Function {
     let about = "an attribute of the initial shape's edge that the shape faces";
     let uses = Uses::WHOLE.and(Uses::PLACE).and(Uses::SAYS);
-    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, EDGE_ATTRIBUTE, ty, about) }
+    Function { needs: Needs::Both, uses, ..function(name, call, EDGE_ATTRIBUTE, ty, about) }
 }
 
 /// A query of other shapes.
 const fn asks(name: Str, call: Str, uses: Uses, params: Params, ty: Type, about: Str) -> Function {
-    Function { run: Run::Now(call), needs: Needs::Both, uses, ..later(name, params, ty, about) }
+    Function { needs: Needs::Both, uses, ..function(name, call, params, ty, about) }
 }
 
 /// A query of other closed shapes.
@@ -148,7 +148,7 @@ const SUBCOMPONENT: Param =
 /// A query of the tags of the geometry.
 const fn tags(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
     let uses = Uses::WHOLE.and(Uses::TAGS);
-    Function { run: Run::Now(call), needs: Needs::Shape, uses, ..later(name, params, ty, about) }
+    Function { needs: Needs::Shape, uses, ..function(name, call, params, ty, about) }
 }
 
 /// The row of a query whose result counts for the limits of the run.
@@ -183,9 +183,8 @@ static TAGS: &[Function] = &[
 
 /// Words from text.
 static REST: &[Function] = &[Function {
-    run: Run::Now("text_to_text"),
     pure: true,
-    ..later("sel", &[text("selString")], T, "a word from text, where a word is required")
+    ..function("sel", "text_to_text", &[text("selString")], T, "a word from text, where a word is required")
 }];
 
 #[cfg(test)]

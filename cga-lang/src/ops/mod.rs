@@ -45,22 +45,13 @@ use params::{
     takes, text, unknown, uv_set, within, word,
 };
 
-/// The implementation of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Run {
-    /// The function with this name in the runtime's module (`op`, `func`, `get`, `set`).
-    Now(&'static str),
-    /// Not implemented yet. A use is a warning, and a fault in a run.
-    Later,
-}
-
 /// An operation. It changes the current shape or makes shapes of it.
 #[derive(Debug, PartialEq)]
 pub struct Operation {
     /// The name in rules. Several rows may share a name; they differ in the number and kinds of parameters.
     pub name: &'static str,
-    /// The implementation.
-    pub run: Run,
+    /// The function in the runtime's module `op`.
+    pub run: &'static str,
     /// The parameters. Parameters with a default come last.
     pub params: &'static [Param],
     /// The braces after its arguments.
@@ -129,8 +120,8 @@ pub enum Measure {
 pub struct Function {
     /// The name in rules. Rows with the same name and number of parameters differ in their kinds.
     pub name: &'static str,
-    /// The implementation. The value of an unimplemented function is 0, false, empty or without elements.
-    pub run: Run,
+    /// The function in the runtime's module `func`.
+    pub run: &'static str,
     /// The parameters. Parameters with a default come last.
     pub params: &'static [Param],
     /// The type of its result.
@@ -182,8 +173,8 @@ pub enum AssetNames {
 pub struct ShapeAttr {
     /// The name in rules: `scope.sx`.
     pub name: &'static str,
-    /// The implementation of reading.
-    pub get: Run,
+    /// The function that reads it, in the runtime's module `get`.
+    pub get: &'static str,
     /// The kind of its value.
     pub kind: ParamKind,
     /// The values that it may have.
@@ -192,8 +183,8 @@ pub struct ShapeAttr {
     pub needs: Needs,
     /// The parts of the shape that reading uses.
     pub uses: Uses,
-    /// The implementation of setting, in the runtime's `set` module. `None` if it cannot be set.
-    pub set: Option<Run>,
+    /// The function that sets it, in the runtime's module `set`. `None` if it cannot be set.
+    pub set: Option<&'static str>,
     /// The parts of the shape that setting uses, besides the scope and the material.
     pub set_uses: Uses,
     /// The part of the shape that setting changes.
@@ -202,16 +193,6 @@ pub struct ShapeAttr {
     pub set_scope: Effect,
     /// The help for a deprecated attribute: its replacement.
     pub old: Option<&'static str>,
-}
-
-impl Run {
-    /// The runtime's function.
-    pub const fn now(self) -> Option<&'static str> {
-        match self {
-            Run::Now(name) => Some(name),
-            Run::Later => None,
-        }
-    }
 }
 
 impl ShapeAttr {

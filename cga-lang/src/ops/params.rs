@@ -81,7 +81,7 @@ pub struct Words {
     /// Old words with their replacements. They are also in the list.
     pub old: Pairs,
     /// The enum of the runtime that has a variant for each word.
-    pub rust: Option<&'static str>,
+    pub rust: &'static str,
     /// Words whose variant has another name, with this name.
     pub renamed: Pairs,
     /// The code of a diagnostic about an unknown word.
@@ -257,12 +257,9 @@ static TAG_QUERIES: ParamBounds =
 /// A query for component tags.
 pub(super) const TAG_QUERY: Param = within(text("tagQuery"), &TAG_QUERIES);
 
-/// No words.
-const WORDS: Words = Words { list: &[], old: &[], rust: None, renamed: &[], unknown: Code::UnknownWord };
-
 /// A parameter for words, each of which is a variant of an enum of the runtime.
 pub(super) const fn word(name: &'static str, rust: &'static str, list: &'static [&'static str]) -> Param {
-    param(name, ParamKind::Word(Words { list, rust: Some(rust), ..WORDS }))
+    param(name, ParamKind::Word(Words { list, rust, old: &[], renamed: &[], unknown: Code::UnknownWord }))
 }
 
 /// The parameter with words whose variants have other names.

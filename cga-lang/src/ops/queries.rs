@@ -1,14 +1,14 @@
 //! The functions that query the shape, its geometry, the run and files.
 
-use super::base::later;
+use super::base::function;
 use super::{
-    AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Params, Run, Str, T, TS, Uses, boolean,
-    file, float, of, or, outdated, renamed, text, uv_set, word,
+    AssetNames, B, BS, Default, F, FILE, FS, FileUse, Function, Needs, Param, Params, Str, T, TS, Uses, boolean, file,
+    float, of, or, outdated, renamed, text, uv_set, word,
 };
 use crate::types::Type;
 
 const fn row(name: Str, call: Str, params: Params, ty: Type, (needs, uses): (Needs, Uses), about: Str) -> Function {
-    Function { run: Run::Now(call), needs, uses, ..later(name, params, ty, about) }
+    Function { needs, uses, ..function(name, call, params, ty, about) }
 }
 
 /// A query of the shape.

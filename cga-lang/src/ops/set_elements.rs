@@ -1,12 +1,12 @@
 //! `setElems`, for all types of arrays, values and indices.
 
-use super::base::later;
-use super::{B, BS, F, FS, Function, Needs, Params, Run, Str, T, TS, of};
+use super::base::function;
+use super::{B, BS, F, FS, Function, Needs, Params, Str, T, TS, of};
 use crate::types::Type;
 
 const fn row(call: Str, params: Params, ty: Type) -> Function {
     let about = "a copy of the array with other values in some places";
-    Function { run: Run::Now(call), needs: Needs::Env, pure: true, ..later("setElems", params, ty, about) }
+    Function { needs: Needs::Env, pure: true, ..function("setElems", call, params, ty, about) }
 }
 
 /// The rows for an array and values, with one index, which may be a number, numbers or truth values, and with two

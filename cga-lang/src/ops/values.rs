@@ -1,16 +1,16 @@
 //! The functions of values: numbers, text, lists in text, arrays, colours, paths, chance. The row for single numbers
 //! comes first among rows with one name.
 
-use super::base::later;
+use super::base::function;
 use super::{
-    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Params, Run, Str, T, TS, Uses, boolean, channel,
-    float, of, or, text,
+    B, BS, Default, F, FS, Function, HEX, Meaning, Needs, Param, Params, Str, T, TS, Uses, boolean, channel, float, of,
+    or, text,
 };
 use crate::types::Type;
 
 /// A function of its arguments only.
 const fn plain(name: Str, call: Str, params: Params, ty: Type, about: Str) -> Function {
-    Function { run: Run::Now(call), pure: true, ..later(name, params, ty, about) }
+    Function { pure: true, ..function(name, call, params, ty, about) }
 }
 
 /// A function that can leave a fault or end the run.
@@ -97,24 +97,24 @@ pub(super) static MATH: &[Function] = &[
     plain("max", "max", &[text("a"), text("b")], T, "the text that comes last"),
     run("max", "max_each", &[of("a", FS), of("b", FS)], FS, "the larger one, element by element"),
     run("max", "max_each", &[of("a", TS), of("b", TS)], TS, "the larger one, element by element"),
-    plain("clamp", "clamp", &[float("x"), float("min"), float("max")], F, "the number, moved between two numbers"),
-    plain("clamp", "clamp", &[text("x"), text("min"), text("max")], T, "the text, or the nearer one of the two limits"),
+    plain("clamp", "clamp", &[float("x"), float("min"), float("max")], F, "the number, limited to a range"),
+    plain("clamp", "clamp", &[text("x"), text("min"), text("max")], T, "the text, or the nearer of two limits"),
     run(
         "clamp",
         "clamp_each",
         &[of("x", FS), of("min", FS), of("max", FS)],
         FS,
-        "each element, moved between the elements of two arrays",
+        "each element, limited to a range of its own",
     ),
     run(
         "clamp",
         "clamp_each",
         &[of("x", TS), of("min", TS), of("max", TS)],
         TS,
-        "each element, moved between the elements of two arrays",
+        "each element, limited to a range of its own",
     ),
-    plain("isnan", "isnan", &[float("x")], B, "whether it is not a number"),
-    run("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is not a number, for each element"),
+    plain("isnan", "isnan", &[float("x")], B, "whether it is NaN"),
+    run("isnan", "isnan_each", &[of("x", FS)], BS, "whether it is NaN, for each element"),
     plain("isinf", "isinf", &[float("x")], B, "whether it is infinite"),
     run("isinf", "isinf_each", &[of("x", FS)], BS, "whether it is infinite, for each element"),
     plain("isNull", "isnull_float", &[float("value")], B, "whether it is a missing value"),
@@ -162,7 +162,7 @@ pub(super) static TEXTS: &[Function] = &[
     run("replace", "replace", &[INPUT, OLD, text("newString")], T, "the text with every occurrence replaced"),
     run("replace", "replace", &[INPUT, OLD, float("newString")], T, "the text with every occurrence replaced"),
     run("replace", "replace", &[INPUT, OLD, boolean("newString")], T, "the text with every occurrence replaced"),
-    plain("findFirst", "find_first", &[INPUT, MATCH], F, "where the first occurrence begins, or -1"),
+    plain("findFirst", "find_first", &[INPUT, MATCH], F, "the position of the first occurrence, or -1"),
     plain("findLast", "find_last", &[INPUT, MATCH], F, "where the last occurrence begins, or -1"),
     run("getPrefix", "get_prefix", &[INPUT, MATCH], T, "the text before the first occurrence"),
     run("getSuffix", "get_suffix", &[INPUT, MATCH], T, "the text after the last occurrence"),
@@ -209,9 +209,9 @@ pub(super) static LISTS: &[Function] = &[
 
 /// Arrays.
 pub(super) static ARRAYS: &[Function] = &[
-    plain("size", "size", &[of("array", FS)], F, "how many elements"),
-    plain("size", "size", &[of("array", BS)], F, "how many elements"),
-    plain("size", "size", &[of("array", TS)], F, "how many elements"),
+    plain("size", "size", &[of("array", FS)], F, "the number of elements"),
+    plain("size", "size", &[of("array", BS)], F, "the number of elements"),
+    plain("size", "size", &[of("array", TS)], F, "the number of elements"),
     plain("nRows", "n_rows", &[of("array", FS)], F, "how many rows"),
     plain("nRows", "n_rows", &[of("array", BS)], F, "how many rows"),
     plain("nRows", "n_rows", &[of("array", TS)], F, "how many rows"),
@@ -219,7 +219,7 @@ pub(super) static ARRAYS: &[Function] = &[
     plain("nColumns", "n_columns", &[of("array", BS)], F, "how many columns"),
     plain("nColumns", "n_columns", &[of("array", TS)], F, "how many columns"),
     plain("sum", "sum", &[of("array", FS)], F, "the sum of the elements"),
-    plain("sum", "count_true", &[of("array", BS)], F, "how many elements are true"),
+    plain("sum", "count_true", &[of("array", BS)], F, "the number of true elements"),
     run("sum", "join", &[of("array", TS)], T, "the elements joined in order"),
     plain("findFirst", "find_element", &[of("array", BS), boolean("value")], F, "the first index of a value, or -1"),
     plain("findFirst", "find_element", &[of("array", TS), text("value")], F, "the first index of a value, or -1"),
@@ -248,11 +248,23 @@ pub(super) static ARRAYS: &[Function] = &[
         INDEX,
     ),
     old(
-        plain("index", "find_element", &[of("array", BS), boolean("item")], F, "where a value first occurs, or -1"),
+        plain(
+            "index",
+            "find_element",
+            &[of("array", BS), boolean("item")],
+            F,
+            "the index of the first element with a value, or -1",
+        ),
         INDEX,
     ),
     old(
-        plain("index", "find_element", &[of("array", TS), text("item")], F, "where a value first occurs, or -1"),
+        plain(
+            "index",
+            "find_element",
+            &[of("array", TS), text("item")],
+            F,
+            "the index of the first element with a value, or -1",
+        ),
         INDEX,
     ),
 ];

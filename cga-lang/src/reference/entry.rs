@@ -1,7 +1,7 @@
 //! The words of the tables, with the contents of their rows.
 
 use super::signature::{self, Signature};
-use crate::ops::{self, Run, SYNTAX};
+use crate::ops::{self, SYNTAX};
 use crate::syntax::words::ANNOTATIONS;
 
 /// A table.
@@ -21,17 +21,6 @@ pub enum Section {
     Annotation,
 }
 
-/// The state of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Support {
-    /// It runs.
-    Runs,
-    /// It is checked, and a use is a warning. An old row has its help.
-    Later(Option<&'static str>),
-    /// It runs, and a use is a warning with this help.
-    Old(&'static str),
-}
-
 /// A row of a table, or several that differ in types alone.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Form {
@@ -45,8 +34,8 @@ pub struct Form {
     pub bounds: Vec<(&'static str, &'static str)>,
     /// The operations that take a selector, or the type of an attribute. Empty for other tables.
     pub note: String,
-    /// The state.
-    pub support: Support,
+    /// The replacement of an old row: a use is a warning with this help.
+    pub old: Option<&'static str>,
 }
 
 /// All rows with one name.
@@ -63,8 +52,8 @@ pub struct Entry {
 impl Entry {
     fn add(&mut self, form: Form) {
         for own in &mut self.forms {
-            let rest = (own.about, &own.words, &own.bounds, &own.note, own.support);
-            let is_alike = rest == (form.about, &form.words, &form.bounds, &form.note, form.support);
+            let rest = (own.about, &own.words, &own.bounds, &own.note, own.old);
+            let is_alike = rest == (form.about, &form.words, &form.bounds, &form.note, form.old);
             if is_alike && own.signature.merge(&form.signature) {
                 return;
             }
@@ -73,16 +62,8 @@ impl Entry {
     }
 }
 
-fn support(run: Run, old: Option<&'static str>) -> Support {
-    match (run, old) {
-        (Run::Later, instead) => Support::Later(instead),
-        (Run::Now(_), Some(instead)) => Support::Old(instead),
-        (Run::Now(_), None) => Support::Runs,
-    }
-}
-
-fn plain(signature: Signature, about: &'static str, support: Support) -> Form {
-    Form { signature, about, words: Vec::new(), bounds: Vec::new(), note: String::new(), support }
+fn plain(signature: Signature, about: &'static str, old: Option<&'static str>) -> Form {
+    Form { signature, about, words: Vec::new(), bounds: Vec::new(), note: String::new(), old }
 }
 
 /// Every word of the tables once, with its rows.
@@ -96,41 +77,36 @@ pub fn entries() -> Vec<Entry> {
         None => list.push(Entry { section, name, forms: vec![form] }),
     };
     for row in SYNTAX {
-        add(Section::Syntax, row.name, plain(Signature::word(row.name), row.about, Support::Runs));
+        add(Section::Syntax, row.name, plain(Signature::word(row.name), row.about, None));
     }
     for row in ops::all_operations() {
-        let form = plain(Signature::operation(row), row.about, support(row.run, row.old));
+        let form = plain(Signature::operation(row), row.about, row.old);
         let (words, bounds) = (signature::words(row.params), signature::bounds(row.params));
         add(Section::Operation, row.name, Form { words, bounds, ..form });
     }
     for row in ops::COMPONENTS {
         let note = "`comp`, `modify`".to_owned();
-        let form = Form { note, ..plain(Signature::word(row.name), row.about, Support::Runs) };
+        let form = Form { note, ..plain(Signature::word(row.name), row.about, None) };
         add(Section::Selector, row.name, form);
     }
     for row in ops::selectors() {
-        let state = row.old.map_or(Support::Runs, Support::Old);
-        let form = Form { note: signature::places(row.on), ..plain(Signature::word(row.name), row.about, state) };
+        let form = Form { note: signature::places(row.on), ..plain(Signature::word(row.name), row.about, row.old) };
         add(Section::Selector, row.name, form);
     }
     for row in ops::all_functions() {
-        let form = plain(Signature::function(row), row.about, support(row.run, row.old));
+        let form = plain(Signature::function(row), row.about, row.old);
         let (words, bounds) = (signature::words(row.params), signature::bounds(row.params));
         add(Section::Function, row.name, Form { words, bounds, ..form });
     }
     for row in ops::all_shape_attrs() {
-        let access = match row.set {
-            None => "read only",
-            Some(Run::Now(_)) => "read and set",
-            Some(Run::Later) => "read; setting it does not run yet",
-        };
+        let access = if row.set.is_some() { "read and set" } else { "read only" };
         let note = format!("{}, {access}", signature::kind(&row.kind));
-        let form = Form { note, ..plain(Signature::word(row.name), "", support(row.get, row.old)) };
+        let form = Form { note, ..plain(Signature::word(row.name), "", row.old) };
         add(Section::ShapeAttr, row.name, form);
     }
     for name in ANNOTATIONS {
-        let state = if *name == "Location" { Support::Old("leave it out") } else { Support::Runs };
-        add(Section::Annotation, name, plain(Signature::word(name), "", state));
+        let old = (*name == "Location").then_some("leave it out");
+        add(Section::Annotation, name, plain(Signature::word(name), "", old));
     }
     list
 }

@@ -1,6 +1,6 @@
 //! The reference as a page.
 
-use super::entry::{Entry, Form, Section, Support, entries};
+use super::entry::{Entry, Form, Section, entries};
 use super::pages::{page_address, page_title};
 use super::text::{Doc, docs};
 use std::collections::{HashMap, HashSet};
@@ -127,9 +127,14 @@ pub(super) fn about(doc: &Doc, entries: &[&Entry]) -> String {
             notes.push(note);
         }
     }
-    notes.push(state(&forms));
+    if let Some(olds) = forms.iter().map(|form| form.old).collect::<Option<Vec<_>>>()
+        && let Some(instead) = olds.first()
+    {
+        notes.push(format!("Old: {instead}."));
+    }
     let title = page_title(doc.page).unwrap_or_default();
-    let _ = write!(page, "{} Esri: [{title}]({})\n\n", notes.join(" "), page_address(doc.page));
+    notes.push(format!("Esri: [{title}]({})", page_address(doc.page)));
+    let _ = write!(page, "{}\n\n", notes.join(" "));
     page
 }
 
@@ -140,7 +145,7 @@ fn capitalized(text: &str) -> String {
 
 /// The signatures, each with its effect if these differ, then the words and the values of parameters.
 fn signatures(page: &mut String, forms: &[&Form]) {
-    let is_mixed = forms.iter().any(|form| form.support != forms[0].support);
+    let is_mixed = forms.iter().any(|form| form.old != forms[0].old);
     let abouts: HashSet<&str> = forms.iter().map(|form| form.about).collect();
     page.push_str("```text\n");
     for form in forms {
@@ -148,10 +153,10 @@ fn signatures(page: &mut String, forms: &[&Form]) {
         if 1 < abouts.len() {
             notes.push(form.about.to_owned());
         }
-        match form.support {
-            Support::Later(_) if is_mixed => notes.push("does not run yet".into()),
-            Support::Old(instead) if is_mixed => notes.push(format!("old: {instead}")),
-            _ => {}
+        if let Some(instead) = form.old
+            && is_mixed
+        {
+            notes.push(format!("old: {instead}"));
         }
         let notes = if notes.is_empty() { String::new() } else { format!("    # {}", notes.join("; ")) };
         let _ = writeln!(page, "{}{notes}", form.signature);
@@ -171,24 +176,4 @@ fn signatures(page: &mut String, forms: &[&Form]) {
         let _ = writeln!(page, "{line}");
     }
     page.push_str(if lines.is_empty() { "" } else { "\n" });
-}
-
-/// The state of all forms together.
-fn state(forms: &[&Form]) -> String {
-    let later = forms.iter().filter(|form| matches!(form.support, Support::Later(_))).count();
-    let instead = |form: &&Form| match form.support {
-        Support::Old(instead) | Support::Later(Some(instead)) => Some(instead),
-        Support::Runs | Support::Later(None) => None,
-    };
-    let olds: Vec<&str> = forms.iter().filter_map(instead).collect();
-    let state = match later {
-        0 if olds.len() == forms.len() => "",
-        0 => "Runs.",
-        count if count == forms.len() => "Does not run yet.",
-        _ => "Runs in part.",
-    };
-    match olds[..] {
-        [first, ..] if olds.len() == forms.len() => format!("{state} Old: {first}.").trim_start().to_owned(),
-        _ => state.to_owned(),
-    }
 }

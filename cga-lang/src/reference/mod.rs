@@ -10,7 +10,7 @@ mod signature;
 mod text;
 mod word;
 
-pub use entry::{Entry, Form, Section, Support, entries};
+pub use entry::{Entry, Form, Section, entries};
 pub use markdown::page;
 pub use pages::{page_address, page_title};
 pub use signature::Signature;

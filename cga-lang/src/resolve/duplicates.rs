@@ -6,7 +6,7 @@ use super::globals::Declared;
 use crate::diag::code::Code;
 use crate::diag::{Diags, count};
 use crate::link::InstanceId;
-use crate::ops::{self, Operation, Param, ParamKind, Run};
+use crate::ops::{self, Operation, Param, ParamKind};
 use crate::syntax::ast::{Body, Decl, Name, Role};
 use crate::types::Type;
 use std::collections::HashMap;
@@ -53,13 +53,11 @@ pub(crate) fn values(cx: &mut Context) {
     }
 }
 
-/// Reports rules that an operation hides because it has their name and takes their parameters. A rule with the name
-/// of an operation that is not implemented yet is called instead of it.
+/// Reports rules that an operation hides because it has their name and takes their parameters.
 pub(crate) fn operations(cx: &mut Context) {
     for item in &cx.globals.rules {
         let types = item.types_of_params(&cx.tables);
-        let rows = ops::operations(&item.decl.name.text).filter(|row| row.run != Run::Later);
-        if let Some(row) = rows.into_iter().find(|row| hides(row, &types)) {
+        if let Some(row) = ops::operations(&item.decl.name.text).find(|row| hides(row, &types)) {
             let message =
                 format!("{} is an operation, so this rule could never be called", arity::call(row.name, row.params));
             cx.diags.report(Code::DuplicateName, item.decl.name.span, message).help("give the rule another name");

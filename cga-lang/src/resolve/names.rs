@@ -8,16 +8,13 @@ use super::habits;
 use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
-use crate::diag::{Detail, quoted};
+use crate::diag::quoted;
 use crate::dialect::Dialect;
-use crate::ops::{self, Function, Needs, ParamKind, Run, SelectorPlaces, Words};
+use crate::ops::{self, Function, Needs, ParamKind, SelectorPlaces, Words};
 use crate::span::Span;
 use crate::syntax::ast::{Expr, ExprKind, Name};
 use crate::syntax::token::Tok;
 use crate::types::Type;
-
-/// The effect of an operation that is not implemented yet, for a note.
-pub(super) const IGNORED: &str = "a run ignores it and reports a fault";
 
 /// Resolves all uses.
 pub(crate) fn uses(cx: &mut Context) {
@@ -54,11 +51,6 @@ impl<'a> Resolver<'_, 'a, '_> {
 
     pub(crate) fn note(&mut self, name: &Name, found: Use) {
         self.cx.tables.uses.insert((self.own, name.id()), found);
-    }
-
-    /// Records a call that is not implemented yet.
-    pub(crate) fn note_later(&mut self, name: &Name) {
-        self.cx.tables.later.insert((self.own, name.id()));
     }
 
     /// Records the candidates of a call. If there are several, the types decide.
@@ -133,16 +125,16 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
         match found {
             Some(found) => {
-                self.about_later(name, found);
+                self.about_old(name, found);
                 self.note(name, found);
             }
             None => self.unknown_name(name, None),
         }
     }
 
-    /// Reports uses that are not implemented yet or are deprecated.
-    pub(crate) fn about_later(&mut self, name: &Name, found: Use) {
-        let (name_of, run, about, old) = match found {
+    /// Reports uses that are not allowed here or are deprecated.
+    pub(crate) fn about_old(&mut self, name: &Name, found: Use) {
+        let old = match found {
             Use::Builtin(Function { needs: Needs::Component, .. }) if self.place.is_none() => {
                 let message = format!("`{}` is only allowed in a selector", name.text);
                 self.cx.diags.report(Code::UnknownFunction, name.span, message).note("it reads a component");
@@ -158,35 +150,12 @@ impl<'a> Resolver<'_, 'a, '_> {
                     .help("leave out the second argument");
                 return;
             }
-            Use::Builtin(row) => ("", row.run, row.about, row.old.filter(|_| row.run != Run::Later)),
-            Use::Shape(row) => ("", row.get, "", row.old),
-            Use::SetShape(row) => ("`set` of ", row.set.unwrap_or(row.get), "", row.old),
-            Use::Operation(row) => {
-                let some_run = ops::operations(row.name).any(|other| other.run != Run::Later);
-                (if some_run { "this form of " } else { "" }, row.run, row.about, row.old)
-            }
+            Use::Builtin(row) => row.old,
+            Use::Shape(row) | Use::SetShape(row) => row.old,
+            Use::Operation(row) => row.old,
             _ => return,
         };
-        if run == Run::Later {
-            let result = match found {
-                Use::Builtin(_) | Use::Shape(_) => {
-                    "in a run it is 0, false, empty text or an empty array, with a fault"
-                }
-                _ => IGNORED,
-            };
-            self.not_implemented(name.span, &format!("{name_of}`{}`", name.text), about, result);
-        }
         self.deprecated(name, old);
-    }
-
-    /// Reports a known feature that is not implemented yet. `about` is its effect, `result` the effect of a run.
-    pub(crate) fn not_implemented(&mut self, span: Span, what: &str, about: &str, result: &'static str) {
-        let diag = self.cx.diags.report(Code::NotImplemented, span, format!("{what} is not implemented yet"));
-        diag.detail = Detail::Later(what.replace('`', ""));
-        if !about.is_empty() {
-            diag.note(format!("{what}: {about}"));
-        }
-        diag.note(result);
     }
 
     pub(crate) fn deprecated(&mut self, name: &Name, old: Option<&str>) {
@@ -299,7 +268,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             fitting = rows.iter().copied().filter(|row| words_fit(row, args, said)).collect();
         }
         if candidates.is_empty() && fitting.is_empty() && !rows.is_empty() && conversion(text).is_none() {
-            return self.other_words(name, &rows, args);
+            return self.other_words(rows[0], args);
         }
         for (index, arg) in args.iter().enumerate() {
             let is_word = |row: &&Function| matches!(row.params[index].kind, ParamKind::Word(_) | ParamKind::Selector);
@@ -333,18 +302,13 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
         candidates.extend(fitting.into_iter().map(Use::Builtin));
         if let Some(first @ Use::Builtin(_)) = candidates.first().copied() {
-            self.about_later(name, first);
+            self.about_old(name, first);
         }
         self.note_open(name, candidates);
     }
 
     /// Resolves a call whose words do not fit any row.
-    fn other_words(&mut self, name: &Name, rows: &[&'static Function], args: &'a [Expr]) {
-        let all: Vec<&Expr> = args.iter().collect();
-        if self.computed(name, rows, |row| (row.params, Use::Builtin(row)), &all) {
-            return;
-        }
-        let row = rows[0];
+    fn other_words(&mut self, row: &'static Function, args: &'a [Expr]) {
         for (param, arg) in row.params.iter().zip(args) {
             match &param.kind {
                 ParamKind::Word(words) => self.word_expr(row.name, &[*words], arg),
@@ -371,7 +335,10 @@ impl<'a> Resolver<'_, 'a, '_> {
                 _ => "an attribute of the shape",
             };
             let message = format!("`{text}` is {what} and takes no arguments");
-            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(format!("write `{text}`"));
+            self.cx.diags.report(Code::ArgumentCount, name.span, message).help(match found {
+                Use::Shape(_) => format!("write `{text}`"),
+                _ => format!("write `{text}`, or `{text}[…]` for an element of an array"),
+            });
             return;
         }
         let others = ops::all_functions().map(|row| row.name).chain(["str"]);
@@ -394,6 +361,9 @@ impl<'a> Resolver<'_, 'a, '_> {
     /// The CGA form of `scope.sx.sqrt()`, if it names a value and a function.
     fn method(&mut self, text: &str, args: &[Expr]) -> Option<String> {
         let (value, function) = text.rsplit_once('.')?;
+        if function == "equals" && args.len() == 1 {
+            return self.lookup(value).map(|_| format!("{value} == …"));
+        }
         let takes = self.takes(function).contains(&(args.len() + 1));
         self.lookup(value).filter(|_| takes)?;
         let rest = if args.is_empty() { "" } else { ", …" };

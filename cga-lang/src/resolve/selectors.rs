@@ -37,7 +37,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves the arguments of `comp` as a value, like the arguments of the operation. Returns the selectors.
-    fn comp_args(&mut self, comp: &CompValue) -> SelectorPlaces {
+    fn comp_args(&mut self, comp: &'a CompValue) -> SelectorPlaces {
         let Some(row) = ops::operations(&comp.name.text).next() else { return SelectorPlaces::NONE };
         if comp.args.is_empty() {
             self.missing_word(&comp.name, row);

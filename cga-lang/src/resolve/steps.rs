@@ -12,7 +12,7 @@ use super::{habits, overrides};
 use crate::diag::code::Code;
 use crate::diag::{Level, RELATIVE};
 use crate::dialect::Dialect;
-use crate::ops::{self, Braces, Operation, ParamKind, Run, SelectorPlaces, Words};
+use crate::ops::{self, Braces, Operation, ParamKind, SelectorPlaces, Words};
 use crate::span::Span;
 use crate::suggest::nearest;
 use crate::syntax::ast::{Arg, Block, BlockPart, Decl, Expr, ExprKind, Name, Op, OpKind, Override, Prefix};
@@ -141,8 +141,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         let rows: Vec<_> = ops::operations(&name.text).filter(|row| row.takes(args.len())).collect();
         let fitting = fitting(&rows, args, self.dialect());
         let rules = self.rules(name, args.len());
-        // A rule with the name of an operation that is not implemented yet is older than the operation.
-        if !rules.is_empty() && fitting.iter().all(|row| row.run == Run::Later) {
+        if !rules.is_empty() && fitting.is_empty() {
             self.values(args);
             return self.note_open(name, rules);
         }
@@ -159,7 +158,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             _ if rules.is_empty() && self.stray_word(name, &fitting, args) => {}
             ([row, ..], _) => {
                 self.operation(&fitting, args);
-                self.about_later(name, Use::Operation(row));
+                self.about_old(name, Use::Operation(row));
                 self.needs_braces(name, row);
                 // The types decide. If both fit, the operation is called.
                 let rules = rules.into_iter().filter(|_| row.overloads);
@@ -168,11 +167,9 @@ impl<'a> Resolver<'_, 'a, '_> {
         }
     }
 
-    /// Resolves a call whose words do not fit any row: they are computed, or they are wrong.
+    /// Resolves a call whose words do not fit any row.
     fn wrong_words(&mut self, name: &Name, rows: &[&'static Operation], args: &'a [Arg]) {
-        let values: Vec<&'a Expr> = args.iter().map(|arg| &arg.value).collect();
-        if self.computed(name, rows, |row| (row.params, Use::Operation(row)), &values) || self.swapped(name, rows, args)
-        {
+        if self.swapped(name, rows, args) {
             return;
         }
         let before = self.cx.diags.so_far().len();
@@ -217,7 +214,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             return;
         }
         if ops::operations(text).next().is_some() {
-            let help = habits::step(text).filter(|_| count == 3);
+            let help = habits::step(text).filter(|_| count <= 3);
             let diag = wrong_form(self.cx, name, &ops::operations(text).collect::<Vec<_>>(), args);
             if let Some(help) = help {
                 diag.help(help);
@@ -344,7 +341,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         let rows = if fitting.is_empty() && is_other { &[] } else { rows };
         if let Some(row) = fitting.first().or(rows.first()).copied() {
             self.operation(if fitting.is_empty() { std::slice::from_ref(&row) } else { &fitting }, args);
-            self.about_later(name, Use::Operation(row));
+            self.about_old(name, Use::Operation(row));
             self.note_open(name, fitting.into_iter().map(Use::Operation).collect());
         } else if let Some(row) = all.first() {
             if !(args.is_empty() && self.missing_word(name, row)) {
@@ -447,7 +444,7 @@ impl<'a> Resolver<'_, 'a, '_> {
         };
         match found {
             Ok(found) => {
-                self.about_later(&Name { text: text.to_owned(), span }, found);
+                self.about_old(&Name { text: text.to_owned(), span }, found);
                 self.note(set, found);
             }
             Err(what) => {

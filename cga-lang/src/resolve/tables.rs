@@ -60,8 +60,6 @@ pub(crate) struct Tables {
     pub(crate) lazy: HashSet<usize>,
     /// The attributes that dynamic calls give values to, by their name in the call.
     pub(crate) targets: HashMap<Key, u32>,
-    /// Calls that are not implemented yet although other forms of their name are, by name.
-    pub(crate) later: HashSet<Key>,
     /// Constants that serve as levels, by index: rules only compare them with numbers.
     pub(crate) levels: HashSet<u32>,
     pub(crate) given_tags: GivenTags,

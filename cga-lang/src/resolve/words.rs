@@ -2,7 +2,6 @@
 
 use super::arguments::{plain, word};
 use super::arity::{wrong_count, wrong_form};
-use super::names::IGNORED;
 use super::resolver::Resolver;
 use super::tables::Use;
 use crate::diag::code::Code;
@@ -84,40 +83,6 @@ fn in_order(row: &Operation, args: &[Arg], mut is_stray: impl FnMut(&Arg) -> boo
 }
 
 impl<'a> Resolver<'_, 'a, '_> {
-    /// Resolves a call of the first row whose words are computed in a run, and returns true if there is one.
-    pub(crate) fn computed<R: Copy>(
-        &mut self,
-        name: &Name,
-        rows: &[R],
-        row: impl Fn(R) -> (&'static [Param], Use),
-        args: &[&'a Expr],
-    ) -> bool {
-        let found = rows.iter().map(|own| row(*own)).find(|(params, _)| self.computes_words(params, args));
-        let Some((params, found)) = found else { return false };
-        for (param, arg) in params.iter().zip(args) {
-            self.computed_word(&param.kind, arg);
-        }
-        self.note_later(name);
-        self.note(name, found);
-        true
-    }
-
-    /// Returns true if every word of a row is among the arguments or is computed in a run, and at least one word is
-    /// computed.
-    fn computes_words(&mut self, params: &[Param], args: &[&Expr]) -> bool {
-        let mut computed = false;
-        for (param, arg) in params.iter().zip(args) {
-            if !matches!(param.kind, ParamKind::Word(_)) || arg.word().is_some_and(|word| param.kind.has_word(word)) {
-                continue;
-            }
-            if !self.is_computed(arg) {
-                return false;
-            }
-            computed = true;
-        }
-        computed
-    }
-
     /// Returns true if an argument computes its word in a run. Text does so where text can be a word; `sel` does so
     /// everywhere.
     fn is_computed(&mut self, arg: &Expr) -> bool {
@@ -125,7 +90,9 @@ impl<'a> Resolver<'_, 'a, '_> {
         match &arg.kind {
             ExprKind::Call(name, args) if name.text == "sel" => args.len() == 1 && arg.word().is_none(),
             // `scope.sx` is not a word, and its value is not one either.
-            ExprKind::Name(name) => text && !matches!(self.lookup(&name.text), None | Some(Use::Shape(_))),
+            ExprKind::Name(name) => {
+                text && !matches!(self.lookup(&name.text), None | Some(Use::Shape(_) | Use::Builtin(_)))
+            }
             ExprKind::Call(..) | ExprKind::Case(..) | ExprKind::Chance(..) | ExprKind::Index(..) => text,
             ExprKind::Binary(crate::syntax::ast::Binary::Add, ..) => text,
             _ => false,
@@ -201,26 +168,8 @@ impl<'a> Resolver<'_, 'a, '_> {
         false
     }
 
-    /// Resolves the parts of computed words, and reports that they are not implemented yet.
-    fn computed_word(&mut self, kind: &ParamKind, arg: &'a Expr) {
-        if !matches!(kind, ParamKind::Word(_)) {
-            return self.expr(arg);
-        }
-        if arg.word().is_some_and(|word| kind.has_word(word)) {
-            return;
-        }
-        match &arg.kind {
-            ExprKind::Call(name, args) if name.text == "sel" => {
-                args.iter().for_each(|arg| self.expr(arg));
-                ops::functions("sel").for_each(|row| self.note(name, Use::Builtin(row)));
-            }
-            _ => self.expr(arg),
-        }
-        self.not_implemented(arg.span, "a word that is computed", "", IGNORED);
-    }
-
     /// Resolves an argument that must be a word of one of several parameters.
-    pub(crate) fn word(&mut self, name: &str, words: &[Words], arg: &Arg) {
+    pub(crate) fn word(&mut self, name: &str, words: &[Words], arg: &'a Arg) {
         match plain(arg) {
             Some(value) => self.word_expr(name, words, value),
             None => self.unknown_word(name, words, "", arg.span),
@@ -247,7 +196,7 @@ impl<'a> Resolver<'_, 'a, '_> {
     }
 
     /// Resolves an expression that must be a word of one of several parameters.
-    pub(crate) fn word_expr(&mut self, name: &str, words: &[Words], arg: &Expr) {
+    pub(crate) fn word_expr(&mut self, name: &str, words: &[Words], arg: &'a Expr) {
         if let ExprKind::Call(sel, args) = &arg.kind
             && sel.text == "sel"
             && args.len() != 1
@@ -263,19 +212,21 @@ impl<'a> Resolver<'_, 'a, '_> {
                 let message = format!("`{found}` is a word; quotation marks are an old spelling");
                 self.cx.diags.report(Code::OldSpelling, arg.span, message).help(format!("write `{found}`"));
             }
+            _ if self.is_computed(arg) => {
+                arg.parts().into_iter().for_each(|part| self.expr(part));
+                let all = quoted(current(words));
+                let message = format!("a word of `{name}` cannot be computed");
+                let diag = self.cx.diags.report(Code::ComputedWord, arg.span, message);
+                diag.note(format!("it takes {all}; only `set` can have a computed word"))
+                    .help("write a call for each word, and choose among them with `case`");
+            }
             _ => self.unknown_word(name, words, found, arg.span),
         }
     }
 
     fn unknown_word(&mut self, name: &str, words: &[Words], found: &str, span: Span) {
         let Some(first) = words.first() else { return };
-        let mut list: Vec<&str> = Vec::new();
-        for word in words.iter().copied().flat_map(Words::current) {
-            if !list.contains(&word) {
-                list.push(word);
-            }
-        }
-        let list = list.into_iter();
+        let list = current(words).into_iter();
         let shown = if found.is_empty() { "this".into() } else { format!("`{found}`") };
         let all = quoted(list.clone());
         let is_word = list.clone().any(|word| word == found);
@@ -288,4 +239,15 @@ impl<'a> Resolver<'_, 'a, '_> {
             diag.suggest(nearest(found, list));
         }
     }
+}
+
+/// The words of several parameters in their newest spelling, each once.
+fn current(words: &[Words]) -> Vec<&'static str> {
+    let mut list: Vec<&str> = Vec::new();
+    for word in words.iter().copied().flat_map(Words::current) {
+        if !list.contains(&word) {
+            list.push(word);
+        }
+    }
+    list
 }

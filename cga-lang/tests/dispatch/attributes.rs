@@ -9,20 +9,17 @@ use super::functions::{on_shape, type_name, without_unused};
 fn attributes_are_up_to_date() {
     let (mut gets, mut material, mut sets) = (String::new(), String::new(), String::new());
     for row in all_shape_attrs() {
-        if let Some(name) = row.get.now() {
-            let value = on_shape(row.needs, row.uses, &|needs| format!("get::{name}({needs})"));
-            let (env, current) = match row.needs {
-                Needs::Env => ("env", "_"),
-                _ => ("env", "current"),
-            };
-            let (key, ty) = (row.name, type_name(row.ty()));
-            let gets = if key.starts_with("material.") { &mut material } else { &mut gets };
-            *gets += &format!(
-                "{key:?} => FunctionCall::new(|stack, {env}, {current}| {{ let value = {value}; stack.push_{ty}(value); }}),"
-            );
-        }
-        if let Some(name) = row.set.and_then(|run| run.now()) {
-            let (key, ty) = (row.name, type_name(row.ty()));
+        let value = on_shape(row.needs, row.uses, &|needs| format!("get::{}({needs})", row.get));
+        let (env, current) = match row.needs {
+            Needs::Env => ("env", "_"),
+            _ => ("env", "current"),
+        };
+        let (key, ty) = (row.name, type_name(row.ty()));
+        let gets = if key.starts_with("material.") { &mut material } else { &mut gets };
+        *gets += &format!(
+            "{key:?} => FunctionCall::new(|stack, {env}, {current}| {{ let value = {value}; stack.push_{ty}(value); }}),"
+        );
+        if let Some(name) = row.set {
             sets += &format!(
                 "{key:?} => Change::new(|stack, env, shape, _| {{ let value = stack.{ty}(); set::{name}(env, shape, value); }}),"
             );

@@ -61,7 +61,7 @@ fn arguments(params: &[Param], module: &str) -> Arguments {
         let name = format!("a{number}");
         match &param.kind {
             ParamKind::Word(words) => {
-                let function = words::function(module, words.rust.expect("an enum"));
+                let function = words::function(module, words.rust);
                 write!(known, "let {name} = words::{function}(known.word({number})?)?;").expect("text");
             }
             ParamKind::Length => {

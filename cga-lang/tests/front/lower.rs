@@ -64,11 +64,7 @@ fn targets(steps: &[Step], visit: &mut dyn FnMut(&Target)) {
                 arms.iter().for_each(|(_, steps)| targets(steps, visit));
                 targets(otherwise, visit);
             }
-            StepKind::Do(..)
-            | StepKind::SetAttr(..)
-            | StepKind::SetShape(..)
-            | StepKind::Rust(..)
-            | StepKind::Later(..) => {}
+            StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..) => {}
         }
     }
 }

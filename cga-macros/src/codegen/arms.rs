@@ -5,7 +5,7 @@ use cga_lang::ops::{Braces, variant};
 use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
-use super::{Generator, function_of, hygienic, local};
+use super::{Generator, hygienic, local};
 
 impl Generator<'_> {
     /// `number` counts the children that the rule makes.
@@ -24,7 +24,7 @@ impl Generator<'_> {
         };
         let name = match block.row.braces {
             Braces::Modified => hygienic("comp_and_rest"),
-            _ => function_of(block.row.run, block.row.name),
+            _ => hygienic(block.row.run),
         };
         if matches!(block.row.braces, Braces::Components | Braces::Modified) {
             let args = self.args(block.row, &block.args, &Access::rule(), &TokenStream::new());

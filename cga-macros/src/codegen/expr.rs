@@ -9,7 +9,7 @@ use quote::{quote, quote_spanned};
 use super::access::{Access, asked};
 use super::public::captured;
 use super::types::{self, cloned, value};
-use super::{Generator, function_of, hygienic, local, site};
+use super::{Generator, hygienic, local, site};
 use crate::location;
 use crate::output::{HostType, conversion, convert};
 
@@ -66,7 +66,7 @@ impl Generator<'_> {
                 self.with_args(args, at, call)
             }
             ExprKind::Builtin(function, args) => {
-                let name = function_of(function.run, function.name);
+                let name = hygienic(function.run);
                 let needs = at.needs(function.needs);
                 let call = |args: &[TokenStream]| {
                     // Words are part of the call.
@@ -95,17 +95,13 @@ impl Generator<'_> {
                 self.with_rust_args(args, at, call)
             }
             ExprKind::Shape(attr) => {
-                let (get, needs) = (function_of(attr.get, attr.name), at.needs(attr.needs));
+                let (get, needs) = (hygienic(attr.get), at.needs(attr.needs));
                 code!(cga_rt::get::#get(#needs))
             }
             ExprKind::Comp(comp) => self.comp_value(comp, at),
             ExprKind::Word(word) => asked(word),
             ExprKind::Style(styles) => is_one_of(styles, &code!(g.style)),
             ExprKind::Site(sites) => is_one_of(sites, &code!(site)),
-            ExprKind::Later(what) => {
-                let (later, env) = (types::later(expr.ty), &at.env);
-                code!(cga_rt::later::#later(#env, #what))
-            }
             ExprKind::Array(rows) => self.array(rows, at),
             ExprKind::Range(..) => self.function_call("range_by", expr, at),
             ExprKind::Index(_, indices) => {
@@ -370,7 +366,7 @@ fn words<'e>(function: &'static Function, call: &'e Expr) -> Vec<Option<&'e str>
 
 /// A word as the runtime's enum has it.
 pub(super) fn word_variant(kind: &ParamKind, word: &str, module: &TokenStream) -> TokenStream {
-    let ParamKind::Word(words @ Words { rust: Some(rust), .. }) = kind else { return TokenStream::new() };
+    let ParamKind::Word(words @ Words { rust, .. }) = kind else { return TokenStream::new() };
     let (rust, variant) = (hygienic(rust), hygienic(&words.variant(word)));
     code!(cga_rt::#module #rust::#variant)
 }

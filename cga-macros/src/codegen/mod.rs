@@ -31,7 +31,6 @@ use std::cell::{Cell, RefCell};
 use cga_lang::ir::facts::LeftShapes;
 use cga_lang::ir::plan::RunPlan;
 use cga_lang::ir::{ExprKind, Grammar, HostId, Param, RuleId, Type};
-use cga_lang::ops::Run;
 use cga_source::rust::Header;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 
@@ -184,11 +183,6 @@ impl Generator<'_> {
 /// A name of the generated code or of the runtime, with the span of [`code!`].
 fn hygienic(name: &str) -> Ident {
     Ident::new(name, location::current())
-}
-
-/// The runtime's function for a row of the tables.
-fn function_of(run: Run, name: &str) -> Ident {
-    hygienic(run.now().unwrap_or(name))
 }
 
 /// A local of the generated code, by number.

@@ -5,13 +5,13 @@ use proc_macro2::{Ident, Literal, TokenStream};
 
 use super::access::Access;
 use super::rule::successor;
-use super::{Generator, function_of, local};
+use super::{Generator, hygienic, local};
 
 impl Generator<'_> {
     /// An operation that makes parts, each with the same successor. `number` counts the children that the rule makes.
     pub(super) fn each(&self, block: &Block, target: &Target, rule: RuleId, number: u32) -> TokenStream {
         let (lets, names) = self.named_args(block);
-        let name = function_of(block.row.run, block.row.name);
+        let name = hygienic(block.row.run);
         let (number, part) = (Literal::u32_unsuffixed(number), self.part(target, rule));
         code! {
             #lets
@@ -22,7 +22,7 @@ impl Generator<'_> {
     /// An operation that makes a new current shape from the leaves of its operands. The first operand is child number `number`.
     pub(super) fn derived(&self, block: &Block, operands: &[Target], rule: RuleId, number: u32) -> TokenStream {
         let (lets, names) = self.named_args(block);
-        let name = function_of(block.row.run, block.row.name);
+        let name = hygienic(block.row.run);
         let recomposes = block.recomposes();
         let operands = operands.iter().zip(number..).map(|(target, number)| {
             let code = self.give(target, rule, &TokenStream::new(), &successor(number));

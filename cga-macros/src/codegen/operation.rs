@@ -7,7 +7,7 @@ use proc_macro2::{Ident, TokenStream};
 use super::access::Access;
 use super::expr::word_variant;
 use super::split::prefixed;
-use super::{Generator, function_of, local};
+use super::{Generator, hygienic, local};
 
 impl Generator<'_> {
     /// An operation on the whole shape. The watch is asked before those that have no slim form.
@@ -26,7 +26,7 @@ impl Generator<'_> {
         at: &Access,
         further: &TokenStream,
     ) -> (TokenStream, TokenStream) {
-        let name = function_of(operation.run, operation.name);
+        let name = hygienic(operation.run);
         let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
         let values = self.args(operation, args, at, &code!(op::));
         let base = operation.uses_base.then(|| code!(&base,));

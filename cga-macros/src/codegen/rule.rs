@@ -5,7 +5,6 @@ use cga_lang::ir::plan::{ChangeForm, SlimChange, reads_first_scope};
 use cga_lang::ir::{
     Block, BlockParts, Childless, Expr, Function, FunctionId, Param, Rule, RuleId, Step, StepKind, Target,
 };
-use cga_lang::ops::Run;
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{quote, quote_spanned};
 
@@ -250,7 +249,7 @@ impl Generator<'_> {
                 code!({ let a0 = #value; #set })
             }
             StepKind::SetShape(attr, expr) => {
-                let Some(set) = attr.set.and_then(Run::now) else { return TokenStream::new() };
+                let Some(set) = attr.set else { return TokenStream::new() };
                 let (set, value) = (hygienic(set), self.image(expr, &at));
                 code!({
                     let a0 = #value;
@@ -289,7 +288,6 @@ impl Generator<'_> {
         let made = (body.rule.leaf == Childless::Depends).then(|| code!(childless = false;));
         let child = Literal::u32_unsuffixed(number);
         match &step.kind {
-            StepKind::Later(what) => code!(cga_rt::later::operation(cx.env, #what);),
             StepKind::Give(target) => {
                 let successor = if is_last { self.last_successor(target, number) } else { successor(number) };
                 let code = self.give(target, body.id, &TokenStream::new(), &successor);

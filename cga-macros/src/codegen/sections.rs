@@ -5,13 +5,13 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::access::Access;
 use super::split::items;
-use super::{Generator, function_of};
+use super::{Generator, hygienic};
 
 impl Generator<'_> {
     /// `number` counts the children that the rule makes.
     pub(super) fn sections(&self, block: &Block, parts: &Sections, rule: RuleId, number: u32) -> TokenStream {
         let (lets, names) = self.named_args(block);
-        let name = function_of(block.row.run, block.row.name);
+        let name = hygienic(block.row.run);
         let number = Literal::u32_unsuffixed(number);
         let (items, sizes) = (items(&parts.slots.pattern), self.sizes(&parts.slots));
         let rest = self.arms(&parts.rest, &Access::rule());

@@ -46,11 +46,6 @@ pub(super) fn function(ty: Type, what: &str) -> Ident {
     hygienic(&format!("{}_{what}", variant(ty).to_string().to_lowercase()))
 }
 
-/// The function of the runtime's `later` module for a value of that type.
-pub(super) fn later(ty: Type) -> Ident {
-    hygienic(&variant(ty).to_string().to_lowercase())
-}
-
 /// The value of a place: numbers and truth values are copied, the rest is shared.
 pub(super) fn cloned(ty: Type, place: TokenStream) -> TokenStream {
     match ty {

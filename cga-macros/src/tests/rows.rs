@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cga_lang::ops::{
-    Braces, COMPONENTS, Changes, Operation, Run, SET_BY_NAME, SelectorPlaces, all_functions, all_operations,
+    Braces, COMPONENTS, Changes, Operation, SET_BY_NAME, SelectorPlaces, all_functions, all_operations,
     all_shape_attrs, operations, selectors, variant,
 };
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -207,8 +207,8 @@ pub(super) fn is_in_op(row: &&'static Operation) -> bool {
 }
 
 /// The functions that rows name.
-fn called(runs: impl Iterator<Item = Run>) -> BTreeSet<String> {
-    runs.filter_map(Run::now).map(str::to_owned).collect()
+fn called(runs: impl Iterator<Item = &'static str>) -> BTreeSet<String> {
+    runs.map(str::to_owned).collect()
 }
 
 #[test]
@@ -240,14 +240,11 @@ fn words_are_variants_of_enums_of_the_runtime() {
     let runtime = Runtime::read();
     let (of_op, of_func) = (runtime.names("op"), runtime.names("func"));
     let operations = all_operations().map(|row| (Some(&of_op), row));
-    let operations = operations.map(|(module, row)| (module.filter(|_| is_in_op(&row)), row.name, row.params, row.run));
-    let functions = all_functions().map(|row| (Some(&of_func), row.name, row.params, row.run));
-    for (module, name, params, run) in operations.chain(functions) {
+    let operations = operations.map(|(module, row)| (module.filter(|_| is_in_op(&row)), row.name, row.params));
+    let functions = all_functions().map(|row| (Some(&of_func), row.name, row.params));
+    for (module, name, params) in operations.chain(functions) {
         for words in params.iter().filter_map(|param| param.kind.words()) {
-            let Some(rust) = words.rust else {
-                assert_eq!(run, Run::Later, "{name} runs without an enum for its words");
-                continue;
-            };
+            let rust = words.rust;
             assert!(module.is_none_or(|public| public.contains(rust)), "the module of {name} does not have {rust}");
             let variants = runtime.enums.get(rust).unwrap_or_else(|| panic!("no enum {rust} for {name}"));
             for word in words.list {

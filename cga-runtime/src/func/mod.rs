@@ -12,7 +12,6 @@ mod colour;
 mod compare;
 mod convert;
 pub mod host;
-pub mod later;
 mod limit;
 mod list;
 mod math;

@@ -3,12 +3,10 @@ use cga::cga;
 cga! {
     pub grammar Values;
     Lot --> color("red") t(1 / 0, 0, 0) A.
-    @Allow(not_implemented)
     Wall --> projectUV(10) A.
     @Deny(not_a_color)
     Roof --> color(255, 128, 0) A.
     Shed --> setPivot(xyz, 8) A.
-    @Allow(not_implemented)
     @Deny(split_without_uv)
     Street --> setupProjection(0, scope.xy, 1, 1) split(u, uvSpace, 0) { 0.5 : A. | ~1 : A. }
     @Deny(missing_uv_set)
@@ -26,7 +24,6 @@ cga! {
 
 cga! {
     pub grammar Textures;
-    @Allow(not_implemented)
     @Deny(texture_without_uv)
     Shed --> deleteUV(0) texture("brick") A.
 }

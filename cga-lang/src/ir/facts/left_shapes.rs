@@ -49,7 +49,7 @@ fn of_step(kind: &StepKind) -> LeftShapes {
                 || matches!(block.parts, BlockParts::Operands(_))
                 || block.row.recomposes
         }
-        StepKind::Later(..) | StepKind::Rust(..) => true,
+        StepKind::Rust(..) => true,
         StepKind::SetAttr(..) | StepKind::Give(_) | StepKind::Renew(_) | StepKind::Push(_) | StepKind::Case { .. } => {
             false
         }

@@ -94,9 +94,7 @@ fn itself(step: &Step, renewals: &[Uses]) -> Uses {
         StepKind::Rust(..) => Uses::ALL,
         StepKind::Block(block) => block.row.uses,
         StepKind::Renew(call) => renewals[call.renewal.0 as usize],
-        StepKind::SetAttr(..) | StepKind::Later(..) | StepKind::Give(_) | StepKind::Push(_) | StepKind::Case { .. } => {
-            Uses::NONE
-        }
+        StepKind::SetAttr(..) | StepKind::Give(_) | StepKind::Push(_) | StepKind::Case { .. } => Uses::NONE,
     }
 }
 

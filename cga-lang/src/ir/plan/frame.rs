@@ -24,7 +24,7 @@ pub(super) fn rule(rule: &Rule) -> u32 {
             // A whole shape, a base and two slim shapes; steps after each other share them.
             StepKind::Do(..) | StepKind::SetAttr(..) | StepKind::SetShape(..) | StepKind::Rust(..) => 1300,
             StepKind::Renew(call) => 2300 + 200 * call.given.len(),
-            StepKind::Later(..) | StepKind::Case { .. } => 100,
+            StepKind::Case { .. } => 100,
         }
     });
     // Intermediate values have stack slots too.

@@ -49,7 +49,7 @@ const SIXTEEN: Default = Default::Float(16.0);
 
 /// Assets are trimmed at the trim planes of the shape.
 const SPHERE: &str = "replaces the geometry by a sphere that fills the scope";
-const VOLUME: &str = "makes the volume that may be built on";
+const VOLUME: &str = "makes the largest volume that the limits allow";
 
 /// The bounds of a parameter of an envelope.
 const fn envelope_bounds(values: Allowed, about: Str) -> ParamBounds {
@@ -189,7 +189,7 @@ pub(super) static ROWS: &[Operation] = &[
             or(INSERT_MODE, Default::Word("alignSizeAndPosition")),
             or(CLEANUP_MODE, Default::Word("numericalCleanup")),
         ],
-        "replaces the geometry by an asset, which may lie down or keep its size and place",
+        "replaces the geometry by an asset, optionally with its own up axis, size and position",
     )),
     along_uv("insert_along_uv", &[uv_set("uvSet"), FILE, float("height")]),
     along_uv("insert_along_uv_with", &[uv_set("uvSet"), FILE, float("height"), HEIGHT_DIRECTION, HEIGHT_ALIGNMENT]),
@@ -273,7 +273,7 @@ pub(super) static ROWS: &[Operation] = &[
             within(of("baseHeights", FS), &EACH_BASE_HEIGHT),
             within(of("angles", FS), &EACH_SLOPE_ANGLE),
         ],
-        "makes the volume that may be built on, with heights and angles edge by edge",
+        "makes the largest volume that the limits allow, with heights and angles edge by edge",
     ),
     // Without a direction, as before 2013.1 (*CGA changelog*).
     undirected("envelope_old_front", first(4, ENVELOPE)),

@@ -17,13 +17,13 @@ pub(super) static ROWS: &[Operation] = &[
         "color",
         "color_rgb",
         &[channel("red"), channel("green"), channel("blue")],
-        "sets the colour, each from 0 to 1",
+        "sets the colour, with channels from 0 to 1",
     )),
     sets_material(op(
         "color",
         "color_rgba",
         &[channel("red"), channel("green"), channel("blue"), channel("opacity")],
-        "sets colour and opacity, each from 0 to 1",
+        "sets the colour and the opacity, with channels from 0 to 1",
     )),
     // The reference has no page since 2020.0; it was short for `set` (*opacity operation*, 2019.1).
     old(

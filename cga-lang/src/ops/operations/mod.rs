@@ -10,7 +10,7 @@ mod subdivision;
 mod texturing;
 mod transform;
 
-use super::{Braces, Changes, Effect, Operation, Params, Run, Str, Uses, UvEffect};
+use super::{Braces, Changes, Effect, Operation, Params, Str, Uses, UvEffect};
 
 /// All operations.
 pub static OPERATIONS: &[&[Operation]] = &[
@@ -34,14 +34,9 @@ pub static SET_BY_NAME: Operation = op(
 
 /// A row that the runtime function `call` implements.
 const fn op(name: Str, call: Str, params: Params, about: Str) -> Operation {
-    Operation { run: Run::Now(call), ..later(name, params, about) }
-}
-
-/// A row without a function in the runtime, which is not implemented yet. `op` and `block` begin with it.
-const fn later(name: Str, params: Params, about: Str) -> Operation {
     Operation {
         name,
-        run: Run::Later,
+        run: call,
         params,
         braces: Braces::None,
         scope: Effect::Any,
@@ -123,19 +118,19 @@ const fn alone(row: Operation) -> Operation {
     Operation { overloads: false, ..row }
 }
 
-/// A row with braces that is not implemented yet.
+/// A row with braces. `divides` or `joins` names its function.
 const fn block(name: Str, braces: Braces, params: Params, about: Str) -> Operation {
-    Operation { braces, ..later(name, params, about) }
+    Operation { braces, ..op(name, "", params, about) }
 }
 
-/// A row with braces that is implemented. The shape itself stays unchanged.
+/// A row with braces that divides the shape. The shape itself stays unchanged.
 const fn divides(call: Str, uses: Uses, row: Operation) -> Operation {
-    Operation { run: Run::Now(call), ..keeps(using(uses, row)) }
+    Operation { run: call, ..keeps(using(uses, row)) }
 }
 
-/// A row with operands that is implemented. The results of the operands become the shape.
+/// A row with operands, whose results become the shape.
 const fn joins(call: Str, row: Operation) -> Operation {
-    Operation { run: Run::Now(call), ..row }
+    Operation { run: call, ..row }
 }
 
 /// The row of an operation that reconnects the shapes of its operands.

@@ -258,7 +258,7 @@ pub(super) static ROWS: &[Operation] = &[
             "scatter",
             Braces::Ops,
             &[DOMAIN, N_POINTS, DISTRIBUTION],
-            "strews points over the surface, the volume or the scope",
+            "places random points on the surface, in the volume or in the scope",
         ),
     ),
     divides(
@@ -268,7 +268,7 @@ pub(super) static ROWS: &[Operation] = &[
             "scatter",
             Braces::Ops,
             &[DOMAIN, N_POINTS, GAUSSIAN, MEAN, within(length("scatterStddev"), &DEVIATIONS)],
-            "strews points around a place",
+            "places random points around a position",
         ),
     ),
     recomposes(joins(

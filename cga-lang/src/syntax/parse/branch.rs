@@ -73,7 +73,9 @@ impl Parser<'_> {
             let help = "a branch has no braces: write `case condition : … else : …`";
             return Err(self.expected("`:`").help(help).into());
         }
-        self.expect(Sym::Colon)
+        // A lone `=` was meant as `==`.
+        let is_equal = self.is(Sym::Assign) && !self.nth_is(1, Sym::Greater);
+        if !is_equal && self.slipped_colon("the condition") { Ok(()) } else { self.expect(Sym::Colon) }
     }
 
     fn arms<T>(
@@ -110,7 +112,9 @@ impl Parser<'_> {
         }
         if self.is_word("else") {
             self.bump();
-            self.expect(Sym::Colon)?;
+            if !self.eat(Sym::Colon) && !self.slipped_colon("`else`") {
+                return Err(self.expected_only("`:` after `else`").help("write `else :`").into());
+            }
             arms.otherwise = Some(self.nested(otherwise)?);
             return Ok(arms);
         }

@@ -29,6 +29,7 @@ use crate::span::Span;
 use crate::syntax::ast::{Ast, Name};
 use crate::syntax::token::{Sym, Tok, Tokens};
 use layout::Layout;
+use report::LIST;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -272,7 +273,7 @@ impl<'a> Parser<'a> {
         while self.at < close && self.tick() {
             items.push(item(self)?);
             if self.at < close && !self.eat(Sym::Comma) {
-                return self.fail("`,` or `)`");
+                return self.fail(LIST);
             }
         }
         self.at = close + 1;

@@ -4,7 +4,7 @@
 
 use super::block::needs_arguments;
 use super::item::is_keyword;
-use super::report::STEP;
+use super::report::{LIST, STEP};
 use super::{Parsed, Parser, Reported};
 use crate::diag::code::Code;
 use crate::ops::{self, ParamKind};
@@ -75,6 +75,7 @@ impl Parser<'_> {
         let kind = match self.peek() {
             _ if self.at_border() => return self.fail(STEP),
             _ if self.at_loop() => return self.no_loop(),
+            _ if self.at_binding() => self.binding()?,
             Some(Tok::Ident(_)) => self.op_with_name()?,
             Some(Tok::Path(_)) => self.rust()?,
             Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
@@ -227,7 +228,7 @@ impl Parser<'_> {
             let result = self.bracketed(false, |parser| parser.sized(relative)).and_then(|arg| {
                 let more = self.at < close;
                 if more && !self.is(Sym::Comma) {
-                    return self.fail("`,` or `)`");
+                    return self.fail(LIST);
                 }
                 if more && self.at + 1 == close {
                     self.bump();

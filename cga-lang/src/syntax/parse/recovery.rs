@@ -10,7 +10,7 @@ use crate::diag::RELATIVE;
 use crate::diag::code::Code;
 use crate::ops::{operations, shape_attr};
 use crate::span::Span;
-use crate::syntax::ast::Name;
+use crate::syntax::ast::{Name, OpKind};
 use crate::syntax::token::{Sym, Tok, Tokens};
 use std::ops::Range;
 
@@ -152,6 +152,21 @@ impl Parser<'_> {
         let diag = self.syntax(self.at, format!("rules have no loops, and {word} is not an operation"));
         let diag = diag.help("`split(x) { { ~size : … }* }` repeats a slot");
         Err(diag.help("a rule that calls itself under a `case` repeats operations").into())
+    }
+
+    /// Returns true if a variable of another language begins here: `let name = …` among operations.
+    pub(super) fn at_binding(&self) -> bool {
+        self.peek().and_then(Tok::ident).is_some_and(is_binding) && self.nth_is_name(1) && self.nth_is(2, Sym::Assign)
+    }
+
+    /// Reports and passes over such a variable.
+    pub(super) fn binding(&mut self) -> Parsed<OpKind> {
+        let name = self.layout.word(self.at + 1).unwrap_or_default().to_owned();
+        self.syntax(self.at, "values of a rule have their names before its arrow")
+            .help(format!("write `Rule with ( {name} := … ) --> …`"));
+        self.at += 3;
+        self.expr()?;
+        Ok(OpKind::Error)
     }
 
     /// Returns true if a further condition follows the `else` here.

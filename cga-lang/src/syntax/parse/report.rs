@@ -14,6 +14,12 @@ use crate::syntax::token::{Sym, Tok};
 /// The description of the contents of a rule's body.
 pub(super) const STEP: &str = "an operation or a rule";
 
+/// The description of the end of an argument.
+pub(super) const LIST: &str = "`,` or `)`";
+
+/// The number of tokens in which the start of a list is looked for.
+const FAR: usize = 64;
+
 /// The words that begin the last branch, in CGA and elsewhere.
 const ELSE: [&str; 3] = ["else", "default", "otherwise"];
 
@@ -87,7 +93,15 @@ impl Parser<'_> {
                 let value = if is_literal { self.written(self.at + 1, self.at + 2) } else { "…".into() };
                 format!("write `set({word}, {value})` to change an attribute")
             }
-            Tok::Sym(Sym::Assign) => "two values are compared with `==`".into(),
+            Tok::Sym(Sym::Assign) => match self.named_argument(what) {
+                Some(help) => help,
+                None => "two values are compared with `==`".into(),
+            },
+            Tok::Sym(Sym::Dot)
+                if what == LIST && (self.nth_is(1, Sym::Dot) || before.is_some_and(|token| token.is(Sym::Dot))) =>
+            {
+                "the ends of a range are two arguments: write `,` for `..`".into()
+            }
             Tok::Number(value) if step && is_operation => format!("write `{word}({value})`"),
             Tok::Number(value) if step && self.nth_is(1, Sym::Colon) && self.begins_body() && *value <= 100.0 => {
                 let percent = if *value < 1.0 { (*value * 1e8).round() / 1e6 } else { *value };
@@ -126,7 +140,7 @@ impl Parser<'_> {
             Tok::Sym(Sym::Star) if before.is_some_and(|token| token.is(Sym::Star)) => {
                 "a power is `pow(base, exponent)`".into()
             }
-            Tok::Sym(Sym::Plus) if step && before.is_some_and(|token| token.is(Sym::RBrace)) => {
+            Tok::Sym(Sym::Plus) if before.is_some_and(|token| token.is(Sym::RBrace)) => {
                 "a repeat ends with `}*`: write `}*` for `}+`".into()
             }
             Tok::Sym(Sym::Tilde) if self.nth_is(1, Sym::Colon) => match before {
@@ -135,6 +149,25 @@ impl Parser<'_> {
             },
             Tok::Sym(Sym::Star) if step => "`*` comes after the `}` of the repeated slots".into(),
             _ => return None,
+        })
+    }
+
+    /// Returns the help for `name = value` among arguments, or for a parameter with a default.
+    fn named_argument(&self, what: &str) -> Option<String> {
+        let name = self.before(1).and_then(Tok::ident).filter(|_| what == LIST)?;
+        let open = match self.before(2)? {
+            Tok::Sym(Sym::LParen) => Some(self.at - 2),
+            Tok::Sym(Sym::Comma) => (3..FAR.min(self.at)).map(|back| self.at - back).find(|&open| {
+                self.layout.at(open).is_some_and(|token| token.is(Sym::LParen))
+                    && self.layout.close(open).is_some_and(|close| self.at < close)
+            }),
+            _ => return None,
+        };
+        let close = open.and_then(|open| self.layout.close(open));
+        let is_parameter = close.and_then(|close| self.layout.at(close + 1)).is_some_and(|token| token.is(Sym::Arrow));
+        Some(match is_parameter {
+            true => format!("a parameter has no default: write `{name}` alone, and a second rule without it"),
+            false => format!("arguments have no names: leave out `{name} =`"),
         })
     }
 

@@ -216,7 +216,7 @@ impl<'g> Printer<'g> {
         match &step.kind {
             StepKind::Do(row, args) => {
                 let args: Vec<String> = args.iter().map(|arg| self.arg(arg)).collect();
-                self.line(&format!("{}({}){note}", row.run.now().unwrap_or(row.name), args.join(", ")));
+                self.line(&format!("{}({}){note}", row.run, args.join(", ")));
             }
             StepKind::SetAttr(id, value) => {
                 let text = format!("set {} = {}{note}", self.name(*id), self.expr(value));
@@ -247,7 +247,6 @@ impl<'g> Printer<'g> {
                 }
                 self.headed("else", otherwise);
             }
-            StepKind::Later(what) => self.line(&format!("later {what}")),
         }
     }
 
@@ -321,14 +320,13 @@ impl<'g> Printer<'g> {
             ExprKind::Call(id, sites, args) => {
                 format!("{}{}{}", self.grammar.functions[id.0 as usize].name, passed(sites), self.args(args))
             }
-            ExprKind::Builtin(row, args) => format!("{}{}", row.run.now().unwrap_or(row.name), self.args(args)),
+            ExprKind::Builtin(row, args) => format!("{}{}", row.run, self.args(args)),
             ExprKind::Rust(path, args) => format!("{path}{}", self.args(args)),
             ExprKind::Shape(row) => row.name.to_owned(),
             ExprKind::Comp(comp) => self.comp_value(comp),
             ExprKind::Word(word) => (*word).to_owned(),
             ExprKind::Style(styles) => format!("style {styles:?}"),
             ExprKind::Site(sites) => format!("site {sites:?}"),
-            ExprKind::Later(what) => format!("later {what}"),
             ExprKind::Array(rows) => {
                 let row = |row: &Vec<Expr>| row.iter().map(|entry| self.expr(entry)).collect::<Vec<_>>().join(", ");
                 format!("[{}]", rows.iter().map(row).collect::<Vec<_>>().join("; "))

@@ -3,7 +3,7 @@
 use cga_lang::compile::compile_text;
 use cga_lang::diag::Level;
 use cga_lang::diag::code::Code;
-use cga_lang::reference::{Doc, Entry, Section, Support, docs, entries, page, page_title};
+use cga_lang::reference::{Doc, Entry, Section, docs, entries, page, page_title};
 use cga_lang::syntax::lex::lex;
 use std::collections::{HashMap, HashSet};
 use std::fs;
@@ -60,15 +60,9 @@ fn examples_use_their_word_and_have_no_mistakes() {
             }
         }
         let states = || doc.names().filter_map(|name| known.get(&(doc.section, name))).flat_map(|own| &own.forms);
-        let is_later = states().any(|form| matches!(form.support, Support::Later(_)));
-        let is_old = states().any(|form| matches!(form.support, Support::Old(_) | Support::Later(Some(_))));
+        let is_old = states().any(|form| form.old.is_some());
         for diag in compile_text(doc.example).compiled.diags {
-            let is_meant = match diag.code {
-                Code::NotImplemented => is_later,
-                Code::OldSpelling => is_old,
-                _ => false,
-            };
-            if diag.level == Level::Error || !is_meant {
+            if diag.level == Level::Error || diag.code != Code::OldSpelling || !is_old {
                 wrong.push(format!("`{}`: {}\n    {:?}", doc.name, diag.message, doc.example));
             }
         }

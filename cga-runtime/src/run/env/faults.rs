@@ -15,35 +15,20 @@ pub(super) struct FaultList {
     pub(super) left_out: u64,
     /// The faults of files by their messages, as indices of the list.
     pub(super) of_files: BTreeMap<String, usize>,
-    /// The texts reported so far of those that are reported once a run: names that are not implemented, messages.
+    /// The messages so far that are reported once a run.
     pub(super) said_once: Vec<String>,
-    /// The number of attempts to report such a text, and of repetitions of counted faults.
+    /// The number of attempts to report such a message, and of repetitions of counted faults.
     pub(super) said_again: u64,
 }
 
 impl Env {
     /// Records a fault unless it was recorded before.
     pub(crate) fn fault_once(&mut self, kind: FaultKind, message: &str) {
-        if self.is_new(message) {
+        self.faults.said_again += 1;
+        if !self.faults.said_once.iter().any(|said| said == message) {
+            self.faults.said_once.push(message.to_owned());
             self.fault(kind, message);
         }
-    }
-
-    /// Records that something is not implemented, once a run.
-    pub(crate) fn not_implemented(&mut self, name: &str, instead: &str) {
-        if self.is_new(name) {
-            self.fault(FaultKind::NotImplemented, format!("`{name}` is not implemented yet; {instead}"));
-        }
-    }
-
-    /// Returns true if a text that is reported once a run was not reported yet.
-    fn is_new(&mut self, text: &str) -> bool {
-        self.faults.said_again += 1;
-        let is_new = !self.faults.said_once.iter().any(|said| said == text);
-        if is_new {
-            self.faults.said_once.push(text.to_owned());
-        }
-        is_new
     }
 
     /// The number of faults so far, repetitions included.

@@ -41,7 +41,7 @@ impl Report {
     }
 
     fn merge_fault(&mut self, fault: Fault) {
-        let once = matches!(fault.kind, FaultKind::Asset | FaultKind::Limit | FaultKind::NotImplemented);
+        let once = matches!(fault.kind, FaultKind::Asset | FaultKind::Limit);
         let known = |kept: &&mut Fault| kept.kind == fault.kind && kept.message == fault.message;
         if let Some(kept) = self.faults.iter_mut().filter(|_| once).find(known) {
             kept.count = kept.count.saturating_add(fault.count);

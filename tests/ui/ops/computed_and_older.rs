@@ -3,12 +3,12 @@
 use cga::cga;
 
 cga! {
-    pub grammar Later;
+    pub grammar Computed;
     Lot --> extrude(12) center(sel("x" + "y")) Tower.
 }
 
 cga! {
-    pub grammar LaterText = r#"
+    pub grammar ComputedText = r#"
         Lot --> extrude(12) center(sel("x" + "y")) Tower."#;
 }
 
