@@ -183,7 +183,7 @@ pub(crate) fn run<R: Rules>(
     let values = rules.values(cx.env, run.shape, style);
     let flow = derive::<R>(&mut cx, &values, rule, run.shape);
     kept.templates = templates;
-    run.end(env, around, flow, &mut kept.looks, sink, &|each| R::used(&values, style, each))
+    run.end(&mut env, around, flow, &mut kept.looks, sink, &|each| R::used(&values, style, each))
 }
 
 impl Derivation<'_> {
@@ -210,7 +210,7 @@ impl Derivation<'_> {
     /// Ends a run and tells the sink about its building.
     fn end(
         &self,
-        mut env: Env,
+        env: &mut Env,
         around: Surroundings,
         flow: Flow,
         kept: &mut KeptLooks,
@@ -218,7 +218,7 @@ impl Derivation<'_> {
         used: UsedValues<'_>,
     ) -> RunOutcome {
         std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
-        let mut outcome = outcome(&mut env, flow);
+        let mut outcome = outcome(env, flow);
         let keeps_tree = self.settings.tree && sink.keeps_tree();
         let make = || {
             let mut building = Building::of(self.shape, self.tables.name.clone());
