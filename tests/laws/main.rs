@@ -39,11 +39,11 @@ const SEEDS: Range<u64> = 100..132;
 
 #[test]
 fn the_grammars_are_those_of_their_seeds() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("laws");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let seeds: Vec<u64> = SEEDS.collect();
     let file = |seed: u64| (root.join(format!("rules/{seed}.cga")), write::write(seed));
     let levels = "@Warn(repeat_no_progress, endless_rules)";
-    let list = files::list(&seeds, levels, |seed| format!("in \"laws/rules/{seed}.cga\""));
+    let list = files::list(&seeds, levels, |seed| format!("in \"rules/{seed}.cga\""));
     let mut files = vec![(root.join("grammars.rs"), list)];
     files.extend(SEEDS.map(file));
     if std::env::var_os("CGA_BLESS").is_some() {

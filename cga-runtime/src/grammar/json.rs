@@ -55,13 +55,42 @@ pub(super) fn attributes(attributes: &[Attribute], own: Own<'_>, get: &dyn Fn(&s
 /// An attribute by its index, and the value that it gets; `None` is the default.
 type Change = (usize, Option<Value>);
 
+/// A grammar of any type, whose attributes are read and set.
+pub(super) trait Slots {
+    fn attributes(&self) -> &[Attribute];
+    fn own(&self, index: usize) -> Option<Value>;
+    fn get(&self, name: &str) -> Option<Value>;
+    fn put(&mut self, index: usize, value: Option<Value>);
+}
+
+/// A grammar as [`Slots`].
+pub(super) struct Of<'a, G: ?Sized>(pub(super) &'a mut G);
+
+impl<G: Grammar + ?Sized> Slots for Of<'_, G> {
+    fn attributes(&self) -> &[Attribute] {
+        self.0.attributes()
+    }
+
+    fn own(&self, index: usize) -> Option<Value> {
+        self.0.attribute_get(index)
+    }
+
+    fn get(&self, name: &str) -> Option<Value> {
+        self.0.get(name).ok()
+    }
+
+    fn put(&mut self, index: usize, value: Option<Value>) {
+        put(self.0, index, value);
+    }
+}
+
 /// See [`Grammar::set_values_json`].
-pub(super) fn set_values<G: Grammar + ?Sized>(grammar: &mut G, json: &str) -> Result<(), AttributeError> {
+pub(super) fn set_values(grammar: &mut dyn Slots, json: &str) -> Result<(), AttributeError> {
     let changes = read(grammar.attributes(), json)?;
     // Choices may be values of other attributes, so all are set before they are checked.
-    let before: Vec<Change> = changes.iter().map(|&(index, _)| (index, grammar.attribute_get(index))).collect();
+    let before: Vec<Change> = changes.iter().map(|&(index, _)| (index, grammar.own(index))).collect();
     put_all(grammar, &changes);
-    let checked = allowed(grammar.attributes(), &changes, &|name| grammar.get(name).ok());
+    let checked = allowed(grammar.attributes(), &changes, &|name| grammar.get(name));
     if checked.is_err() {
         put_all(grammar, &before);
     }
@@ -99,6 +128,6 @@ fn allowed(
 }
 
 /// Makes changes. An attribute without a value gets its default.
-fn put_all<G: Grammar + ?Sized>(grammar: &mut G, changes: &[Change]) {
-    changes.iter().for_each(|(index, value)| put(grammar, *index, value.clone()));
+fn put_all(grammar: &mut dyn Slots, changes: &[Change]) {
+    changes.iter().for_each(|(index, value)| grammar.put(*index, value.clone()));
 }

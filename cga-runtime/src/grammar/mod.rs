@@ -5,6 +5,7 @@ mod field;
 pub mod grammars;
 #[cfg(feature = "serde")]
 mod json;
+mod kept_lots;
 pub(crate) mod lazy;
 mod lots;
 pub mod parallel;
@@ -118,8 +119,7 @@ pub trait Grammar {
     /// # Errors
     /// The attribute does not exist, or its default is computed for each initial shape and it is not set.
     fn get(&self, name: &str) -> Result<Value, AttributeError> {
-        let (index, attribute) = attribute::find(self.attributes(), name)?;
-        self.attribute_get(index).ok_or(AttributeError::Computed { name: attribute.name.clone() })
+        attribute::value(self.attributes(), name, &|index| self.attribute_get(index))
     }
 
     /// Sets an attribute by its name.
@@ -128,8 +128,7 @@ pub trait Grammar {
     /// The attribute does not exist, or the value has another type, is outside of a restricted range or is not among
     /// restricted choices. A default is never refused.
     fn set(&mut self, name: &str, value: Value) -> Result<(), AttributeError> {
-        let (index, attribute) = attribute::find(self.attributes(), name)?;
-        attribute.allows(&value, &|name| self.get(name).ok())?;
+        let index = attribute::allowed(self.attributes(), name, &value, &|name| self.get(name).ok())?;
         self.attribute_set(index, value);
         Ok(())
     }
@@ -139,8 +138,7 @@ pub trait Grammar {
     /// # Errors
     /// As [`set`](Grammar::set), and if the text cannot be read as a value of the attribute's type.
     fn set_text(&mut self, name: &str, text: &str) -> Result<(), AttributeError> {
-        let (_, attribute) = attribute::find(self.attributes(), name)?;
-        let value = Value::parse(text, attribute.ty).ok_or_else(|| attribute.no_value(text))?;
+        let value = attribute::parsed(self.attributes(), name, text)?;
         self.set(name, value)
     }
 
@@ -169,7 +167,7 @@ pub trait Grammar {
     /// object as the choice.
     #[cfg(feature = "serde")]
     fn set_values_json(&mut self, json: &str) -> Result<(), AttributeError> {
-        json::set_values(self, json)
+        json::set_values(&mut json::Of(self), json)
     }
 
     /// The attributes as a JSON list, for user interfaces in other languages: the fields of [`Attribute`] with `type`,
@@ -192,9 +190,7 @@ pub trait Grammar {
     /// # Errors
     /// See [`Error`].
     fn generate_with(&self, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
-        let mut model = Model::new();
-        let report = self.session(settings)?.run(shape, &mut model)?;
-        Ok(model.with_report(report).with_assets(settings.assets.clone()))
+        session::model(self.session(settings), shape, settings)
     }
 }
 

@@ -13,6 +13,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use crate::fault::{Error, Fault};
+use crate::grammar::attribute::Attribute;
+use crate::grammar::kept_lots::KeptLots;
 use crate::grammar::{Grammar, lots};
 use crate::output::model::Model;
 use crate::run::derive::{self, Derivation, Kept, NoResult, RunOutcome, Start};
@@ -20,7 +22,7 @@ use crate::run::ghost::leaf_sink::LeafGhost;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
 use crate::run::report::Report;
-use crate::run::rules::Rules;
+use crate::run::rules::{RuleTables, Rules};
 use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::run::surroundings::Neighbours;
@@ -31,69 +33,37 @@ use crate::value::text::Text;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {
-    setup: Setup<'g, G>,
+    grammar: &'g G,
+    /// Borrowed by sessions that end before their caller does.
+    settings: Cow<'g, Settings>,
+    start: Start,
     kept: Kept<G::Call>,
-    /// The grammars of the last lots with data of their own, the last one first.
+    lots: KeptLots,
+    /// The grammars of `lots`.
     of_lots: Vec<LotGrammar<G>>,
 }
 
 impl<G: Rules> fmt::Debug for Session<'_, G> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Session").field("settings", &self.setup.settings).finish_non_exhaustive()
+        f.debug_struct("Session").field("settings", &self.settings).finish_non_exhaustive()
     }
-}
-
-/// The decisions before the first run.
-#[derive(Debug)]
-struct Setup<'g, G> {
-    grammar: &'g G,
-    /// Borrowed by sessions that end before their caller does.
-    settings: Cow<'g, Settings>,
-    start: Start,
 }
 
 /// A grammar with the values of a lot. Lots with equal data share it, and all that its runs keep.
 struct LotGrammar<G: Rules> {
-    lot: Lot,
     grammar: G,
     start: Start,
     problems: Vec<String>,
     kept: Kept<G::Call>,
 }
 
-/// A run that can begin.
-struct Prepared<'s, G: Rules> {
-    grammar: &'s G,
-    start: Start,
-    settings: &'s Settings,
-    kept: &'s mut Kept<G::Call>,
+/// The grammar of a run that can begin.
+#[derive(Debug)]
+struct Prepared {
+    /// The index of its [`LotGrammar`]; `None` for the grammar of the session.
+    lot: Option<usize>,
     /// The faults of a lot, which come first.
     faults: Vec<Fault>,
-}
-
-/// The number of [`LotGrammar`]s that a session keeps.
-const KEPT_LOTS: usize = 16;
-
-impl<'g, G: Rules + Grammar + Clone> Setup<'g, G> {
-    /// Checks the attributes and finds the start rule.
-    fn new(grammar: &'g G, settings: Cow<'g, Settings>) -> Result<Self, Error> {
-        grammar.check()?;
-        let start = Start::find(grammar.tables(), settings.start.as_deref())?;
-        Ok(Setup { grammar, settings, start })
-    }
-
-    /// The grammar with the values of a lot, its start rule, and what is wrong with them.
-    fn of_lot(&self, lot: &Lot) -> (G, Start, Vec<String>) {
-        let mut grammar = self.grammar.clone();
-        let mut problems = lots::set_values(&mut grammar, lot);
-        let tables = self.grammar.tables();
-        let start = lot.start.as_deref().map_or(Ok(self.start), |rule| Start::find(tables, Some(rule)));
-        let start = start.unwrap_or_else(|error| {
-            problems.push(error.to_string());
-            self.start
-        });
-        (grammar, start, problems)
-    }
 }
 
 impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
@@ -102,16 +72,17 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// [`Error::Attribute`] and [`Error::StartRule`], as they do not depend on the initial shape.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
-        Ok(Session::of(Setup::new(grammar, Cow::Owned(settings.clone()))?))
+        let start = start_of(grammar.check(), grammar.tables(), settings)?;
+        Ok(Session::of(grammar, Cow::Owned(settings.clone()), start))
     }
 
-    fn of(setup: Setup<'g, G>) -> Self {
-        Session { setup, kept: Kept::default(), of_lots: Vec::new() }
+    fn of(grammar: &'g G, settings: Cow<'g, Settings>, start: Start) -> Self {
+        Session { grammar, settings, start, kept: Kept::default(), lots: KeptLots::default(), of_lots: Vec::new() }
     }
 
     /// The settings of all runs.
     pub fn settings(&self) -> &Settings {
-        &self.setup.settings
+        &self.settings
     }
 
     /// Runs on a shape and hands the leaves to a sink. The sink is not [finished](Sink::finish): more runs may follow.
@@ -119,11 +90,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// [`Error::Shape`], [`Error::Lot`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
     pub fn run<S: Sink + ?Sized>(&mut self, shape: &Shape, sink: &mut S) -> Result<Report, Error> {
-        let outcome = self.outcome(shape, None, &mut { sink });
-        if self.setup.settings.echo {
-            derive::echo(&outcome.report.prints);
-        }
-        outcome.error.map_or(Ok(outcome.report), Err)
+        self.outcome(shape, None, &mut { sink }).result(self.settings.echo)
     }
 
     /// Runs on a shape and collects a model.
@@ -132,62 +99,92 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// As [`run`](Session::run).
     pub fn generate(&mut self, shape: &Shape) -> Result<Model, Error> {
         let mut model = Model::new();
-        let report = self.run(shape, &mut model)?;
-        Ok(model.with_report(report).with_assets(self.setup.settings.assets.clone()))
+        let report = DynSession::run(self, shape, &mut model)?;
+        Ok(model.with_report(report).with_assets(self.settings.assets.clone()))
     }
 
     /// Runs on a shape among shapes of other initial shapes, without echo.
     fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
-        let prepared = match self.prepared(shape) {
+        let Prepared { lot, faults } = match self.prepared(shape) {
             Ok(prepared) => prepared,
             Err(reason) => return reason.into(),
         };
-        let Prepared { grammar, start, settings, kept, faults } = prepared;
-        let mut outcome = derive::run(&Derivation { rules: grammar, start, shape, settings }, neighbours, kept, sink);
+        let (grammar, start, kept) = match lot {
+            None => (self.grammar, self.start, &mut self.kept),
+            Some(at) => {
+                let LotGrammar { grammar, start, kept, .. } = &mut self.of_lots[at];
+                (&*grammar, *start, kept)
+            }
+        };
+        let derivation =
+            Derivation { rules: grammar, tables: grammar.tables(), start, shape, settings: &self.settings };
+        let mut outcome = derive::run(grammar, &derivation, neighbours, kept, sink);
         outcome.report.begin_with(faults);
         outcome
     }
 
+    /// The grammar and the start rule of a run.
+    fn chosen(&self, lot: Option<usize>) -> (&G, Start) {
+        match lot {
+            None => (self.grammar, self.start),
+            Some(at) => (&self.of_lots[at].grammar, self.of_lots[at].start),
+        }
+    }
+
     /// The shapes that a run on a shape leaves for the queries of its neighbours.
     fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
-        let Prepared { grammar, start, settings, .. } = self.prepared(shape)?;
-        Derivation { rules: grammar, start, shape, settings }.ghost(collect)
+        let Prepared { lot, .. } = self.prepared(shape)?;
+        let (grammar, start) = self.chosen(lot);
+        Derivation { rules: grammar, tables: grammar.tables(), start, shape, settings: &self.settings }.ghost(collect)
     }
 
-    /// The queries of other shapes that a run on a shape can reach.
-    fn queries(&self, shape: &Shape) -> Queries {
-        let own = shape.start_name().and_then(|rule| Start::find(self.setup.grammar.tables(), Some(rule)).ok());
-        own.unwrap_or(self.setup.start).queries
-    }
-
-    /// Prepares a run on a shape.
-    fn prepared(&mut self, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
-        if RunOutcome::stopped(&self.setup.settings).is_some() {
+    /// Prepares a run on a shape, unless the watch is stopped.
+    fn prepared(&mut self, shape: &Shape) -> Result<Prepared, NoResult> {
+        if RunOutcome::stopped(&self.settings).is_some() {
             return Err(NoResult::Stopped);
         }
-        shape.check_initial().map_err(NoResult::Failed)?;
-        if let Some(lot) = shape.lot() {
-            return self.prepared_lot(lot, shape);
-        }
-        let Session { setup: Setup { grammar, settings, start }, kept, .. } = self;
-        Ok(Prepared { grammar, start: *start, settings, kept, faults: Vec::new() })
+        self.checked(shape).map_err(NoResult::Failed)
     }
 
-    /// Prepares a run on a shape with data of its own.
-    fn prepared_lot(&mut self, lot: &Lot, shape: &Shape) -> Result<Prepared<'_, G>, NoResult> {
-        let Session { setup, of_lots, .. } = self;
-        match of_lots.iter().position(|known| known.lot.is_same(lot)) {
-            Some(at) => of_lots[..=at].rotate_right(1),
-            None => {
-                let (grammar, start, problems) = setup.of_lot(lot);
-                of_lots.truncate(KEPT_LOTS - 1);
-                of_lots.insert(0, LotGrammar { lot: lot.clone(), grammar, start, problems, kept: Kept::default() });
-            }
-        }
-        let LotGrammar { grammar, start, problems, kept, .. } = &mut of_lots[0];
-        let faults = lots::faults(shape, problems, setup.settings.wrong_lots).map_err(NoResult::Failed)?;
-        Ok(Prepared { grammar, start: *start, settings: &setup.settings, kept, faults })
+    /// Checks a shape, and finds or makes the grammar of its lot.
+    fn checked(&mut self, shape: &Shape) -> Result<Prepared, Error> {
+        shape.check_initial()?;
+        let Some(lot) = shape.lot() else { return Ok(Prepared { lot: None, faults: Vec::new() }) };
+        let at = match self.lots.find(lot) {
+            Some(at) => at,
+            None => self.add(lot),
+        };
+        let faults = lots::faults(shape, &self.of_lots[at].problems, self.settings.wrong_lots)?;
+        Ok(Prepared { lot: Some(at), faults })
     }
+
+    /// Makes the grammar of a lot. Returns its index.
+    fn add(&mut self, lot: &Lot) -> usize {
+        let mut grammar = self.grammar.clone();
+        let mut problems = lots::set_values(&mut grammar, lot);
+        let start = start_of_lot(self.grammar.tables(), lot, self.start, &mut problems);
+        let made = LotGrammar { grammar, start, problems, kept: Kept::default() };
+        let at = self.lots.add(lot);
+        match self.of_lots.get_mut(at) {
+            Some(old) => *old = made,
+            None => self.of_lots.push(made),
+        }
+        at
+    }
+}
+
+/// The start rule of a grammar whose attributes were checked.
+fn start_of(checked: Result<(), Error>, tables: &RuleTables, settings: &Settings) -> Result<Start, Error> {
+    checked.and_then(|()| Start::find(tables, settings.start.as_deref()))
+}
+
+/// The start rule of a lot. The start rule of the session replaces one that does not exist, which is a problem.
+fn start_of_lot(tables: &RuleTables, lot: &Lot, own: Start, problems: &mut Vec<String>) -> Start {
+    let start = lot.start.as_deref().map_or(Ok(own), |rule| Start::find(tables, Some(rule)));
+    start.unwrap_or_else(|error| {
+        problems.push(error.to_string());
+        own
+    })
 }
 
 /// A session of a grammar that is chosen at run time. Made by [`Grammar::session`].
@@ -235,7 +232,8 @@ impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
     }
 
     fn queries(&mut self, shape: &Shape) -> Queries {
-        Session::queries(self, shape)
+        let own = shape.start_name().and_then(|rule| Start::find(self.grammar.tables(), Some(rule)).ok());
+        own.unwrap_or(self.start).queries
     }
 
     fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
@@ -278,7 +276,8 @@ pub fn run<G: Rules + Grammar + Clone, S: Sink + ?Sized>(
     settings: &Settings,
     sink: &mut S,
 ) -> Result<Report, Error> {
-    once(grammar, settings)?.run(shape, sink)
+    let start = start_of(grammar.check(), grammar.tables(), settings)?;
+    Session::of(grammar, Cow::Borrowed(settings), start).run(shape, sink)
 }
 
 /// Runs a grammar and collects a model. Used by generated code.
@@ -286,7 +285,9 @@ pub fn run<G: Rules + Grammar + Clone, S: Sink + ?Sized>(
 /// # Errors
 /// See [`Error`].
 pub fn generate<G: Rules + Grammar + Clone>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
-    once(grammar, settings)?.generate(shape)
+    let mut model = Model::new();
+    let report = run(grammar, shape, settings, &mut model as &mut dyn Sink)?;
+    Ok(model.with_report(report).with_assets(settings.assets.clone()))
 }
 
 /// Runs a rule of a grammar by its name, also if the lot names another one, and collects a model. Used by generated code.
@@ -307,21 +308,27 @@ pub fn used_values<G: Rules + Grammar + Clone>(
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<(Text, Value)>, Error> {
-    let setup = Setup::new(grammar, Cow::Borrowed(settings))?;
-    shape.check_initial()?;
-    let values = match shape.lot() {
-        None => derive::used_values(grammar, setup.start, shape, settings)?,
-        Some(lot) => {
-            let (grammar, start, problems) = setup.of_lot(lot);
-            lots::faults(shape, &problems, settings.wrong_lots)?;
-            derive::used_values(&grammar, start, shape, settings)?
-        }
-    };
-    let pairs = grammar.attributes().iter().zip(values);
-    Ok(pairs.filter_map(|(attribute, value)| Some((attribute.name.clone(), value?))).collect())
+    let start = start_of(grammar.check(), grammar.tables(), settings)?;
+    let mut session = Session::of(grammar, Cow::Borrowed(settings), start);
+    let Prepared { lot, .. } = session.checked(shape)?;
+    let (chosen, start) = session.chosen(lot);
+    let values = derive::used_values(chosen, start, shape, settings)?;
+    Ok(named(grammar.attributes(), values))
 }
 
-/// A session for one run.
-fn once<'g, G: Rules + Grammar + Clone>(grammar: &'g G, settings: &'g Settings) -> Result<Session<'g, G>, Error> {
-    Ok(Session::of(Setup::new(grammar, Cow::Borrowed(settings))?))
+/// The values of attributes with their names.
+fn named(attributes: &[Attribute], values: Vec<Option<Value>>) -> Vec<(Text, Value)> {
+    let pairs = attributes.iter().zip(values);
+    pairs.filter_map(|(attribute, value)| Some((attribute.name.clone(), value?))).collect()
+}
+
+/// The model of the only run of a session.
+pub(super) fn model(
+    session: Result<Box<dyn DynSession + '_>, Error>,
+    shape: &Shape,
+    settings: &Settings,
+) -> Result<Model, Error> {
+    let mut model = Model::new();
+    let report = session?.run(shape, &mut model)?;
+    Ok(model.with_report(report).with_assets(settings.assets.clone()))
 }

@@ -15,7 +15,7 @@ use crate::run::rules::{RuleTables, Rules, StartEntry};
 use crate::run::settings::Settings;
 use crate::run::sink::{Flow, Sink};
 use crate::run::start_rule::StartRule;
-use crate::run::surroundings::Neighbours;
+use crate::run::surroundings::{Neighbours, Surroundings};
 use crate::run::template::Templates;
 use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
@@ -36,6 +36,12 @@ pub(crate) struct Start {
 /// The state of a run that the next run of the session can reuse. No result depends on it.
 pub(crate) struct Kept<C> {
     templates: Templates<C>,
+    looks: KeptLooks,
+}
+
+/// The part of [`Kept`] that is the same for all grammars.
+#[derive(Default)]
+struct KeptLooks {
     looks: LookIds,
     /// The number of runs so far.
     runs: u64,
@@ -43,19 +49,20 @@ pub(crate) struct Kept<C> {
 
 impl<C> Default for Kept<C> {
     fn default() -> Self {
-        Kept { templates: Templates::default(), looks: LookIds::default(), runs: 0 }
+        Kept { templates: Templates::default(), looks: KeptLooks::default() }
     }
 }
 
-impl<C> Kept<C> {
-    /// Prepares the next run.
-    fn begin(&mut self) {
-        let runs = self.runs + 1;
-        if self.looks.is_full() {
-            *self = Kept::default();
+impl KeptLooks {
+    /// Prepares the next run. Returns true if the numbers of looks start again, so that templates with old numbers are wrong.
+    fn begin(&mut self) -> bool {
+        self.runs += 1;
+        let is_full = self.looks.is_full();
+        if is_full {
+            self.looks = LookIds::default();
         }
-        self.runs = runs;
         self.looks.begin();
+        is_full
     }
 }
 
@@ -74,6 +81,17 @@ impl RunOutcome {
         let is_stopped = settings.watch.as_ref().is_some_and(|watch| watch.is_stopped());
         let report = Report { stopped: true, ..Report::default() };
         is_stopped.then_some(report.into())
+    }
+
+    /// The report, after its prints were written to standard output with `echo`.
+    ///
+    /// # Errors
+    /// The run failed.
+    pub(crate) fn result(self, echoes: bool) -> Result<Report, Error> {
+        if echoes {
+            echo(&self.report.prints);
+        }
+        self.error.map_or(Ok(self.report), Err)
     }
 
     /// A run that never began.
@@ -106,67 +124,126 @@ impl From<NoResult> for RunOutcome {
     }
 }
 
-/// A run that can be derived several times.
-pub(crate) struct Derivation<'a, R> {
-    pub(crate) rules: &'a R,
+/// A run that can be derived several times. It does not have the type of its rules, so the code around the rules is compiled once and not
+/// for each grammar.
+pub(crate) struct Derivation<'a> {
+    pub(crate) rules: &'a dyn Derivable,
+    pub(crate) tables: &'a RuleTables,
     pub(crate) start: Start,
     /// The initial shape, which was checked.
     pub(crate) shape: &'a Shape,
     pub(crate) settings: &'a Settings,
 }
 
+/// Rules of any type.
+pub(crate) trait Derivable {
+    /// Derives a run into a sink, with templates of its own.
+    fn derive_again(&self, env: &mut Env, start: Start, shape: &Shape, sink: &mut dyn Sink) -> Flow;
+}
+
+impl<R: Rules> Derivable for R {
+    fn derive_again(&self, env: &mut Env, start: Start, shape: &Shape, sink: &mut dyn Sink) -> Flow {
+        let mut templates = Templates::default();
+        let mut cx = Cx::new(env, sink, &mut templates);
+        let values = self.values(cx.env, shape, start.style);
+        derive::<R>(&mut cx, &values, start.rule, shape)
+    }
+}
+
+/// A run before its first rule.
+struct Begun {
+    env: Env,
+    around: Surroundings,
+    /// True if the templates of earlier runs are wrong.
+    drops_templates: bool,
+}
+
+/// Hands out the values of the attributes of a run; see [`Rules::used`].
+type UsedValues<'a> = &'a dyn Fn(&mut dyn FnMut(Option<Value>));
+
 /// Runs a grammar on a shape, among shapes of other initial shapes.
 pub(crate) fn run<R: Rules>(
-    run: &Derivation<'_, R>,
+    rules: &R,
+    run: &Derivation<'_>,
     neighbours: Option<&Arc<Neighbours>>,
     kept: &mut Kept<R::Call>,
     sink: &mut dyn Sink,
 ) -> RunOutcome {
-    let Derivation { rules, start: Start { rule, style, .. }, shape, settings } = *run;
-    let around = match run.surroundings(neighbours.cloned()) {
-        Ok(around) => around,
+    let Start { rule, style, .. } = run.start;
+    let Begun { mut env, around, drops_templates } = match run.begin(neighbours, &mut kept.looks, sink) {
+        Ok(begun) => begun,
         Err(reason) => return reason.into(),
     };
-    let mut env = run.env(around.clone());
-    sink.begin();
-    sink.begin_building(shape.name(), shape.seed_value());
-    kept.begin();
-    env.run = kept.runs;
-    // Both are taken: templates contain numbers of these looks. If a sink panics, neither stays in the session.
-    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
+    // They are taken, as the looks are: templates contain numbers of looks. If a sink panics, neither stays in the session.
     let mut templates = std::mem::take(&mut kept.templates);
+    if drops_templates {
+        templates = Templates::default();
+    }
     let mut cx = Cx::new(&mut env, &mut *sink, &mut templates);
-    let values = rules.values(cx.env, shape, style);
-    let flow = derive::<R>(&mut cx, &values, rule, shape);
-    std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
+    let values = rules.values(cx.env, run.shape, style);
+    let flow = derive::<R>(&mut cx, &values, rule, run.shape);
     kept.templates = templates;
-    let outcome = outcome(&mut env, flow);
-    let keeps_tree = settings.tree && sink.keeps_tree();
-    let make = || {
-        let tables = rules.tables();
-        let mut building = Building::of(shape, tables.name.clone());
-        let mut attributes = tables.attributes.iter();
-        // After an error some values may be placeholders.
-        if outcome.error.is_none() {
-            R::used(&values, style, &mut |value| {
-                let name = attributes.next().cloned().unwrap_or_default();
-                building.attributes.extend(value.map(|value| (name, value)));
-            });
-        }
-        building.reports = outcome.report.reports.clone();
-        let is_complete = outcome.error.is_none() && !outcome.report.stopped;
-        if keeps_tree && is_complete {
-            building.tree = run.shape_tree(&outcome.report, around.clone()).map(Arc::new);
-        }
-        building
-    };
-    // Sinks that pass leaves on to several others may ask more than once.
-    let building = OnceCell::new();
-    sink.end_building(&|| building.get_or_init(make).clone());
-    // A sink that works on whole buildings may have been stopped.
-    let mut outcome = outcome;
-    outcome.report.stopped |= outcome.error.is_none() && !work::spend(0);
-    outcome
+    run.end(&mut env, around, flow, &mut kept.looks, sink, &|each| R::used(&values, style, each))
+}
+
+impl Derivation<'_> {
+    /// Begins a run.
+    ///
+    /// # Errors
+    /// The derivation of the shapes that its queries find has an error or is stopped.
+    fn begin(
+        &self,
+        neighbours: Option<&Arc<Neighbours>>,
+        kept: &mut KeptLooks,
+        sink: &mut dyn Sink,
+    ) -> Result<Begun, NoResult> {
+        let around = self.surroundings(neighbours.cloned())?;
+        let mut env = self.env(around.clone());
+        sink.begin();
+        sink.begin_building(self.shape.name(), self.shape.seed_value());
+        let drops_templates = kept.begin();
+        env.run = kept.runs;
+        std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
+        Ok(Begun { env, around, drops_templates })
+    }
+
+    /// Ends a run and tells the sink about its building.
+    fn end(
+        &self,
+        env: &mut Env,
+        around: Surroundings,
+        flow: Flow,
+        kept: &mut KeptLooks,
+        sink: &mut dyn Sink,
+        used: UsedValues<'_>,
+    ) -> RunOutcome {
+        std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
+        let mut outcome = outcome(env, flow);
+        let keeps_tree = self.settings.tree && sink.keeps_tree();
+        let make = || {
+            let mut building = Building::of(self.shape, self.tables.name.clone());
+            let mut attributes = self.tables.attributes.iter();
+            // After an error some values may be placeholders.
+            if outcome.error.is_none() {
+                used(&mut |value| {
+                    let name = attributes.next().cloned().unwrap_or_default();
+                    building.attributes.extend(value.map(|value| (name, value)));
+                });
+            }
+            building.reports = outcome.report.reports.clone();
+            let is_complete = outcome.error.is_none() && !outcome.report.stopped;
+            if keeps_tree && is_complete {
+                building.tree = self.shape_tree(&outcome.report, around.clone()).map(Arc::new);
+            }
+            building
+        };
+        // Sinks that pass leaves on to several others may ask more than once.
+        let building = OnceCell::new();
+        sink.end_building(&|| building.get_or_init(make).clone());
+        // A sink that works on whole buildings may have been stopped.
+        outcome.report.stopped |= outcome.error.is_none() && !work::spend(0);
+        outcome
+    }
 }
 
 /// Calls the start rule, and then the calls that wait. A break without an error comes from the sink or the watch.
@@ -212,7 +289,7 @@ pub(crate) fn used_values<R: Rules>(
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<Option<Value>>, Error> {
-    let mut env = start.env(rules, shape, settings);
+    let mut env = start.env(rules.tables(), shape, settings);
     let values = rules.values(&mut env, shape, style);
     if let Some(error) = env.error.take() {
         return Err(error);
@@ -238,8 +315,7 @@ impl Start {
     }
 
     /// The state of a run of the rules from it.
-    pub(super) fn env(self, rules: &impl Rules, shape: &Shape, settings: &Settings) -> Env {
-        let tables = rules.tables();
+    pub(super) fn env(self, tables: &RuleTables, shape: &Shape, settings: &Settings) -> Env {
         let name = tables.starts.get(self.index).map_or_else(Text::default, |start| start.name.clone());
         Env::new(settings, tables.rules.clone(), shape, name)
     }

@@ -5,18 +5,15 @@ use std::sync::Arc;
 use glam::DAffine3;
 
 use crate::geometry::mesh::Mesh;
-use crate::run::context::Cx;
-use crate::run::derive::{Derivation, NoResult, derive};
+use crate::run::derive::{Derivation, NoResult};
 use crate::run::env::Env;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
 use crate::run::report::Report;
-use crate::run::rules::Rules;
 use crate::run::settings::Repeats;
 use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::run::surroundings::{Neighbours, Surroundings};
-use crate::run::template::Templates;
 
 /// A sink for runs without output.
 struct NoOutput;
@@ -39,14 +36,13 @@ impl Sink for NoOutput {
     }
 }
 
-impl<R: Rules> Derivation<'_, R> {
+impl Derivation<'_> {
     /// The state of the run before its first rule. Rules that ask for keys run without templates, which have leaves alone.
     pub(super) fn env(&self, around: Surroundings) -> Env {
         let needs_keys = self.start.queries.has_any(Queries::TREE_KEY | Queries::INTRA_OCCLUSION);
-        let mut env = self.start.env(self.rules, self.shape, self.settings);
-        let tables = self.rules.tables();
-        env.tags_edges = tables.tags;
-        env.leaf_tables.names = tables.leaves.clone();
+        let mut env = self.start.env(self.tables, self.shape, self.settings);
+        env.tags_edges = self.tables.tags;
+        env.leaf_tables.names = self.tables.leaves.clone();
         if needs_keys {
             env.record_keys();
             env.settings.repeats = Repeats::Direct;
@@ -105,9 +101,6 @@ impl<R: Rules> Derivation<'_, R> {
     /// Derives the run without output. Its shapes are not progress.
     fn derive_silently(&self, env: &mut Env) -> Flow {
         env.tell_no_progress();
-        let (mut sink, mut templates) = (NoOutput, Templates::default());
-        let mut cx = Cx::new(env, &mut sink, &mut templates);
-        let values = self.rules.values(cx.env, self.shape, self.start.style);
-        derive::<R>(&mut cx, &values, self.start.rule, self.shape)
+        self.rules.derive_again(env, self.start, self.shape, &mut NoOutput)
     }
 }

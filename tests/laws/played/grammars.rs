@@ -25,21 +25,21 @@ pub(crate) const ALL: &[(u64, Make)] = &[
     (117, || Box::new(G117::default())),
 ];
 
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "laws/played/rules/100.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G101 in "laws/played/rules/101.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G102 in "laws/played/rules/102.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G103 in "laws/played/rules/103.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G104 in "laws/played/rules/104.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G105 in "laws/played/rules/105.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G106 in "laws/played/rules/106.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G107 in "laws/played/rules/107.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G108 in "laws/played/rules/108.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G109 in "laws/played/rules/109.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G110 in "laws/played/rules/110.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G111 in "laws/played/rules/111.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G112 in "laws/played/rules/112.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G113 in "laws/played/rules/113.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "laws/played/rules/114.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "laws/played/rules/115.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "laws/played/rules/116.cga"; }
-cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "laws/played/rules/117.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G100 in "played/rules/100.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G101 in "played/rules/101.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G102 in "played/rules/102.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G103 in "played/rules/103.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G104 in "played/rules/104.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G105 in "played/rules/105.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G106 in "played/rules/106.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G107 in "played/rules/107.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G108 in "played/rules/108.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G109 in "played/rules/109.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G110 in "played/rules/110.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G111 in "played/rules/111.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G112 in "played/rules/112.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G113 in "played/rules/113.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G114 in "played/rules/114.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G115 in "played/rules/115.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G116 in "played/rules/116.cga"; }
+cga! { @Warn(repeat_no_progress, endless_rules) pub grammar G117 in "played/rules/117.cga"; }

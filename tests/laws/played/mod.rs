@@ -69,7 +69,7 @@ fn seeds() -> Range<u64> {
 
 #[test]
 fn the_grammars_are_those_of_their_seeds() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("laws/played");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("played");
     let mut files = vec![(folder.join("grammars.rs"), list())];
     files.extend(seeds().map(|seed| (folder.join(format!("rules/{seed}.cga")), write::write(seed))));
     if std::env::var_os("CGA_BLESS").is_some() {
@@ -93,7 +93,7 @@ fn list() -> String {
     text += "];\n\n";
     for seed in seeds() {
         let levels = "@Warn(repeat_no_progress, endless_rules)";
-        text += &format!("cga! {{ {levels} pub grammar G{seed} in \"laws/played/rules/{seed}.cga\"; }}\n");
+        text += &format!("cga! {{ {levels} pub grammar G{seed} in \"played/rules/{seed}.cga\"; }}\n");
     }
     text
 }

@@ -176,3 +176,40 @@ pub(crate) fn find<'a>(attributes: &'a [Attribute], name: &str) -> Result<(usize
         AttributeError::Unknown { name: shortened(name), near, known: known.collect() }
     })
 }
+
+/// The value of the attribute with a name, which `own` reads by its index.
+///
+/// # Errors
+/// The attribute does not exist, or its default is computed and it is not set.
+pub(crate) fn value(
+    attributes: &[Attribute],
+    name: &str,
+    own: &dyn Fn(usize) -> Option<Value>,
+) -> Result<Value, AttributeError> {
+    let (index, attribute) = find(attributes, name)?;
+    own(index).ok_or(AttributeError::Computed { name: attribute.name.clone() })
+}
+
+/// The index of the attribute with a name, which may have the value. `get` reads other attributes.
+///
+/// # Errors
+/// The attribute does not exist, or the value is refused.
+pub(crate) fn allowed(
+    attributes: &[Attribute],
+    name: &str,
+    value: &Value,
+    get: &dyn Fn(&str) -> Option<Value>,
+) -> Result<usize, AttributeError> {
+    let (index, attribute) = find(attributes, name)?;
+    attribute.allows(value, get)?;
+    Ok(index)
+}
+
+/// The value that a text gives the attribute with a name.
+///
+/// # Errors
+/// The attribute does not exist, or the text cannot be read as a value of its type.
+pub(crate) fn parsed(attributes: &[Attribute], name: &str, text: &str) -> Result<Value, AttributeError> {
+    let (_, attribute) = find(attributes, name)?;
+    Value::parse(text, attribute.ty).ok_or_else(|| attribute.no_value(text))
+}
