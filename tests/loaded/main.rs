@@ -5,3 +5,4 @@ mod files;
 mod mutated;
 mod pages;
 mod scenes;
+mod values;

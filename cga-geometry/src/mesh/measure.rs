@@ -71,15 +71,20 @@ impl Mesh {
         self.volume_of(|p| p)
     }
 
+    /// The volume of the mesh after it is enlarged by a factor: volumes of very large and very small meshes overflow or vanish.
+    pub(crate) fn scaled_volume(&self, scale: f64) -> f64 {
+        self.volume_of(|p| p * scale)
+    }
+
     /// Returns true if the mesh is closed and its faces look inwards.
     pub(crate) fn is_inside_out(&self) -> bool {
         let bounds = self.bounds();
         let scale = bounds.scale_to_one();
         let size = (bounds.high * scale - bounds.low * scale).max_element();
-        self.is_closed() && self.volume_of(|p| p * scale) < -VOLUME_EPSILON * size * size * size
+        self.is_closed() && self.scaled_volume(scale) < -VOLUME_EPSILON * size * size * size
     }
 
-    /// The volume after `place` is applied to the points relative to the centre.
+    /// The volume after `place` is applied to the points relative to the centre. If the work is to end, the sum so far.
     #[inline(always)]
     fn volume_of(&self, place: impl Fn(DVec3) -> DVec3) -> f64 {
         if self.is_empty() {
@@ -89,6 +94,9 @@ impl Mesh {
         let centre = bounds.low * 0.5 + bounds.high * 0.5;
         let mut sum = 0.0;
         for face in self.faces() {
+            if !work::spend(face.corner_count()) {
+                break;
+            }
             let mut six = 0.0;
             if face.is_bent() {
                 let place = |point: DVec3| place(point - centre);
