@@ -2,6 +2,7 @@
 
 mod deep;
 mod files;
+mod leaves;
 mod mutated;
 mod pages;
 mod scenes;
