@@ -65,8 +65,9 @@ fn text(path: &Path) -> Result<String, String> {
 
 /// The mesh of a file, with its materials.
 fn mesh(path: &Path) -> Result<Mesh, String> {
-    let name = path.file_name().ok_or("it is not a file")?.to_string_lossy();
-    let mesh = Assets::below(folder(path)).mesh(&name).map_err(|why| why.to_string())?;
+    let name = path.file_name().ok_or("it is not a file")?;
+    let name = name.to_str().ok_or("its name is not valid UTF-8; rename the file")?;
+    let mesh = Assets::below(folder(path)).mesh(name).map_err(|why| why.to_string())?;
     if mesh.face_count() == 0 {
         return Err("it has no faces, so there is nothing to build on".to_owned());
     }

@@ -2,7 +2,7 @@
 
 use cga::{DynSession, Grammar, Limits, Model, Repeats, Settings, Shape, cga};
 
-use crate::compare::Outcome;
+use crate::compare::{Outcome, Tolerance, difference};
 use crate::exact;
 
 /// A lot whose places are no round numbers.
@@ -205,4 +205,34 @@ fn geometry_at_points_ends_at_the_planes_of_the_face_below() {
     let [own, mesh] = [size(&shape), size(&shape.clone().held_as_meshes())];
     assert_eq!(own.len(), 1);
     assert!((own[0] - mesh[0]).length() < 1e-9, "{own:?} {mesh:?}");
+}
+
+cga! {
+    grammar Whole;
+    Lot --> X.
+}
+
+/// A rectangle of 2 x 1 m that ends with a face of some width.
+fn divided(width: f64) -> Shape {
+    let mut builder = cga::MeshBuilder::new();
+    let edge = 2.0 - width;
+    let points = [[0.0, 0.0], [edge, 0.0], [2.0, 0.0], [2.0, 1.0], [edge, 1.0], [0.0, 1.0]];
+    let points = points.map(|[x, y]| builder.point([x, y, 0.0]));
+    if 0.0 < width {
+        builder.polygon(&[0, 1, 4, 5].map(|at: usize| points[at]));
+        builder.polygon(&[1, 2, 3, 4].map(|at: usize| points[at]));
+    } else {
+        builder.polygon(&[0, 2, 3, 5].map(|at: usize| points[at]));
+    }
+    Shape::mesh(builder.build().expect("a mesh"))
+}
+
+/// A cut that follows an edge up to rounding makes such a face or does not.
+#[test]
+fn faces_that_are_thinner_than_rounding_are_no_difference() {
+    let run = |width: f64| outcome(&Whole::default(), &Settings::default(), &divided(width));
+    let compared = |width: f64| difference(&run(0.0), &run(width), Tolerance { length: 1e-9 });
+    assert_eq!(compared(1e-15), None);
+    assert_eq!(compared(0.0), None);
+    assert!(compared(1e-6).is_some_and(|text| text.contains("the number of faces: 1 and 2")));
 }

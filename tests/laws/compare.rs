@@ -170,19 +170,35 @@ pub(crate) fn scope(a: &Scope, b: &Scope, tolerance: Tolerance) -> Difference {
 
 fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference {
     let ((mesh, placement), (other, place)) = (a.mesh(), b.mesh());
+    let points = || {
+        let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {
+            let [a, b] = [placement.transform_point3(*a), place.transform_point3(*b)];
+            (!tolerance.vectors(a, b, 0.0)).then(|| format!("{a} and {b}"))
+        };
+        let (at, found) = mesh.points().iter().zip(other.points()).map(world).enumerate().find(|it| it.1.is_some())?;
+        found.map(|text| format!("the position of vertex {at}: {text}"))
+    };
     same("the rule", a.rule(), b.rule())
         .or_else(|| tolerance.materials(&format!("{:?}", a.material()), &format!("{:?}", b.material())))
         .or_else(|| scope(&a.scope(), &b.scope(), tolerance))
-        .or_else(|| faces(&mesh, &other, tolerance))
         .or_else(|| {
-            let world = |(a, b): (&cga::glam::DVec3, &cga::glam::DVec3)| {
-                let [a, b] = [placement.transform_point3(*a), place.transform_point3(*b)];
-                (!tolerance.vectors(a, b, 0.0)).then(|| format!("{a} and {b}"))
-            };
-            let (at, found) =
-                mesh.points().iter().zip(other.points()).map(world).enumerate().find(|it| it.1.is_some())?;
-            found.map(|text| format!("the position of vertex {at}: {text}"))
+            let found = faces(&mesh, &other, tolerance).or_else(points)?;
+            // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not.
+            let [mesh, other] = [mesh.map(&placement), other.map(&place)];
+            let is_alike = (has_thin_face(&mesh, tolerance) || has_thin_face(&other, tolerance))
+                && tolerance.number(mesh.area(), other.area());
+            (!is_alike).then_some(found)
         })
+}
+
+/// Returns true if a face is narrower than the tolerance.
+fn has_thin_face(mesh: &Mesh, tolerance: Tolerance) -> bool {
+    mesh.faces().any(|face| {
+        let ring = face.loops().next().unwrap_or_default();
+        let at = |corner: usize| mesh.points()[ring[corner % ring.len()] as usize];
+        let longest = (0..ring.len()).map(|corner| at(corner).distance(at(corner + 1))).fold(0.0, f64::max);
+        face.area() <= tolerance.length * longest
+    })
 }
 
 /// Compares the coordinates of a set at all corners; lists are as long as each other or empty.

@@ -2,6 +2,8 @@
 
 mod deep;
 mod files;
+mod leaves;
 mod mutated;
 mod pages;
 mod scenes;
+mod values;

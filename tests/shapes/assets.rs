@@ -238,6 +238,7 @@ cga! {
     grammar Without = r#"
         Unnamed --> i("") X.
         Cleared --> texture("") X.
+        Reset --> set(material.colormap, "") X.
         Plain --> setupProjection(0, scope.xz, 1, 1) projectUV(0) X.
         Brick --> setupProjection(0, scope.xz, 1, 1) projectUV(0) texture("brick.png") X.
         Mesh --> i("out.obj") X.
@@ -270,7 +271,7 @@ fn without_an_asset_folder_a_texture_is_a_fault_and_a_checker_pattern() {
 }
 
 #[test]
-fn an_empty_name_of_a_mesh_is_a_fault_and_of_a_texture_switches_it_off() {
+fn an_empty_name_is_a_fault() {
     let folder = Temporary::new("unnamed", &[("a.txt", "")]);
     for model in [
         folder.run(&Without::default(), "Unnamed"),
@@ -278,7 +279,16 @@ fn an_empty_name_of_a_mesh_is_a_fault_and_of_a_texture_switches_it_off() {
     ] {
         assert_eq!(messages(&model), ["`i` has no file: its name is empty; a small box marks the place"]);
     }
-    assert_eq!(messages(&folder.run(&Without::default(), "Cleared")), [""; 0]);
+    let cleared = folder.run(&Without::default(), "Cleared");
+    assert_eq!(
+        messages(&cleared),
+        [
+            "`texture` has no file: its name is empty, and the shape has no texture; `set(material.colormap, \"\")` removes a \
+          texture without this fault"
+        ]
+    );
+    assert!(cleared.leaves().all(|leaf| leaf.material().texture.as_deref() == Some("")));
+    assert_eq!(messages(&folder.run(&Without::default(), "Reset")), [""; 0]);
 }
 
 #[cfg(unix)]

@@ -86,8 +86,8 @@ impl Values {
                     *childless = false;
                 }
                 StepCode::Push(inside, number) => {
+                    // Its steps decide whether the rule has a child.
                     self.body(cx, &rt::push(current, *number), inside, rule, frame, childless)?;
-                    *childless = false;
                 }
                 StepCode::Arms(step) => {
                     self.arms(cx, current, step, frame)?;

@@ -261,8 +261,9 @@ impl Input<'_> {
         }
         ask()?;
         let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify) && 1 < self.is_closed.len();
-        let volume = || made.map(&DAffine3::from_scale(DVec3::splat(self.scale))).volume();
-        if must_close && is_union && volume() < self.least_union(&shells, &mesh_of) {
+        if must_close && is_union && made.scaled_volume(self.scale) < self.least_union(&shells, &mesh_of) {
+            // The volume of a part is returned where the work is to end.
+            ask()?;
             // Something of an operand is missing.
             return Err(BooleanError::Tangled);
         }

@@ -91,7 +91,8 @@ impl Mesh {
         self.corners.iter().for_each(|&c| used[c as usize] = true);
         flaws.extend((0..points).filter(|&p| !used[p]).map(|point| Flaw::Unused { point }));
         (0..self.face_count()).for_each(|face| self.check_face(face, &mut flaws));
-        if self.derived.closed.get().is_some_and(|&closed| closed != self.count_closed()) {
+        if self.derived.closed.get().is_some_and(|&closed| self.count_closed().is_some_and(|counted| counted != closed))
+        {
             flaws.push(Flaw::Pairing);
         }
         flaws

@@ -58,6 +58,9 @@ fn join_all(meshes: &[&Mesh]) -> Mesh {
     (sum.groups, sum.materials, sum.tag_sets) = (groups.into_list().into(), materials, tag_sets.into_list().into());
     sum.subcomponent_tags = tagger.finish();
     sum.bent = meshes.iter().map(|mesh| mesh.bent).find(|bent| *bent != DVec3::ZERO).unwrap_or_default();
-    let is_closed = meshes.iter().all(|mesh| mesh.is_closed());
-    if sum.is_empty() { sum } else { sum.known_closed(is_closed) }
+    let all_closed = meshes.iter().try_fold(true, |all, mesh| Some(all && mesh.whether_closed()?));
+    match all_closed {
+        Some(is_closed) if !sum.is_empty() => sum.known_closed(is_closed),
+        _ => sum,
+    }
 }

@@ -6,6 +6,13 @@ use super::pair_table::PairTable;
 use super::{Bounds, Mesh};
 use crate::each::Each;
 use crate::tol::VOLUME_EPSILON;
+use crate::work;
+
+/// The units of work of counting an edge.
+const EDGE: usize = 16;
+
+/// The corners of one loop that are counted at once.
+const CORNERS_A_QUESTION: usize = 4096;
 
 impl Mesh {
     /// The bounding box of all points; [`Bounds::EMPTY`] for a mesh without faces.
@@ -16,12 +23,21 @@ impl Mesh {
     /// Returns true if the faces enclose a volume: each edge is used equally often in both directions. False for a mesh
     /// without faces.
     pub fn is_closed(&self) -> bool {
-        *self.derived.closed.get_or_init(|| self.count_closed())
+        self.whether_closed().unwrap_or(false)
     }
 
-    pub(crate) fn count_closed(&self) -> bool {
+    /// [`is_closed`](Self::is_closed). `None` if the work is to end; then nothing is cached, as others may hold this mesh.
+    pub(crate) fn whether_closed(&self) -> Option<bool> {
+        if let Some(closed) = self.derived.closed.get() {
+            return Some(*closed);
+        }
+        self.count_closed().map(|closed| *self.derived.closed.get_or_init(|| closed))
+    }
+
+    /// [`is_closed`](Self::is_closed), counted again. `None` if the work is to end.
+    pub(crate) fn count_closed(&self) -> Option<bool> {
         if self.is_empty() {
-            return false;
+            return Some(false);
         }
         let mut net = PairTable::with_capacity(self.corners.len() / 2 + 1);
         let mut start = 0;
@@ -29,13 +45,18 @@ impl Mesh {
             let ring = &self.corners[start..end as usize];
             start = end as usize;
             let mut a = ring[ring.len() - 1];
-            for &b in ring {
-                let (value, _) = net.entry(a.min(b), a.max(b), 0);
-                *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
-                a = b;
+            for part in ring.chunks(CORNERS_A_QUESTION) {
+                if !work::spend(EDGE * part.len()) {
+                    return None;
+                }
+                for &b in part {
+                    let (value, _) = net.entry(a.min(b), a.max(b), 0);
+                    *value = if a < b { value.wrapping_add(1) } else { value.wrapping_sub(1) };
+                    a = b;
+                }
             }
         }
-        net.pairs().all(|(_, count)| count == 0)
+        Some(net.pairs().all(|(_, count)| count == 0))
     }
 
     /// The area of all faces, in square metres.
@@ -50,15 +71,20 @@ impl Mesh {
         self.volume_of(|p| p)
     }
 
+    /// The volume of the mesh after it is enlarged by a factor: volumes of very large and very small meshes overflow or vanish.
+    pub(crate) fn scaled_volume(&self, scale: f64) -> f64 {
+        self.volume_of(|p| p * scale)
+    }
+
     /// Returns true if the mesh is closed and its faces look inwards.
     pub(crate) fn is_inside_out(&self) -> bool {
         let bounds = self.bounds();
         let scale = bounds.scale_to_one();
         let size = (bounds.high * scale - bounds.low * scale).max_element();
-        self.is_closed() && self.volume_of(|p| p * scale) < -VOLUME_EPSILON * size * size * size
+        self.is_closed() && self.scaled_volume(scale) < -VOLUME_EPSILON * size * size * size
     }
 
-    /// The volume after `place` is applied to the points relative to the centre.
+    /// The volume after `place` is applied to the points relative to the centre. If the work is to end, the sum so far.
     #[inline(always)]
     fn volume_of(&self, place: impl Fn(DVec3) -> DVec3) -> f64 {
         if self.is_empty() {
@@ -68,6 +94,9 @@ impl Mesh {
         let centre = bounds.low * 0.5 + bounds.high * 0.5;
         let mut sum = 0.0;
         for face in self.faces() {
+            if !work::spend(face.corner_count()) {
+                break;
+            }
             let mut six = 0.0;
             if face.is_bent() {
                 let place = |point: DVec3| place(point - centre);
@@ -87,5 +116,31 @@ impl Mesh {
             sum += six;
         }
         sum / 6.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::Cell;
+    use std::rc::Rc;
+
+    use crate::Axis;
+    use crate::mesh::join::join;
+    use crate::mesh::{Derived, Mesh};
+    use crate::primitive;
+    use crate::work::Supervisor;
+
+    #[test]
+    fn a_count_that_has_ended_early_is_not_kept() {
+        for (mesh, is_closed) in [(primitive::sphere(100, 100), true), (primitive::disk(100_000, Axis::Y), false)] {
+            let mesh = Mesh { derived: Derived::default(), ..mesh };
+            let asked = Rc::new(Cell::new(0));
+            let count = asked.clone();
+            let supervisor = Supervisor::new(move |_| count.replace(count.get() + 1) < 1);
+            assert_eq!((mesh.whether_closed(), asked.get()), (None, 2));
+            let joined = join([&mesh, &mesh].into_iter());
+            drop(supervisor);
+            assert_eq!((mesh.is_closed(), joined.is_closed()), (is_closed, is_closed));
+        }
     }
 }

@@ -234,3 +234,16 @@ fn a_bent_face_stays_as_bent() {
         assert!(made.face(0).outline().zip(face.outline()).all(|(p, q)| p.distance(q) < 1e-5));
     }
 }
+
+/// A strip ends on its neighbour at a corner of 45 degrees, and on the bisector at a blunter one. Turned outlines are rounded.
+#[test]
+fn rounding_does_not_decide_at_corners_of_45_degrees() {
+    let outline = [(0.0, 0.0), (6.0, 0.0), (8.0, 2.0), (8.0, 6.0), (0.0, 6.0)];
+    for degrees in 0..90 {
+        let (sin, cos) = libm::sincos(f64::from(degrees).to_radians());
+        let turned = outline.map(|(x, y): (f64, f64)| (cos * x - sin * y + 17.3, sin * x + cos * y));
+        let mesh = lot(&turned, &[]);
+        let rest = to_area::Rest::of(&mesh.face(0), &[&[1.0, 0.0, 0.0, 0.0, 0.0]], |_| true);
+        assert!((rest.area - (46.0 - 6.5)).abs() < 1e-9, "{degrees}: {}", rest.area);
+    }
+}

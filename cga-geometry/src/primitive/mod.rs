@@ -133,7 +133,7 @@ mod tests {
     fn primitives_are_closed_and_look_outwards() {
         let round = [3, 4, 5, 16].into_iter().flat_map(|n| [cylinder(n), cone(n), sphere(n, 2), sphere(n, 7)]);
         for mesh in round.chain([cube()]) {
-            assert!(mesh.count_closed());
+            assert_eq!(mesh.count_closed(), Some(true));
             assert!(mesh.volume() > 0.0);
             assert_eq!(mesh.check(), []);
             assert_eq!((mesh.bounds().low.y, mesh.bounds().high.y), (0.0, 1.0));

@@ -6,9 +6,11 @@
 
 use super::wavefront::{MovingLine, Wavefront, WavefrontVertex};
 use crate::each::Each;
+use crate::tol::TIE_EPSILON;
 
-/// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees.
-pub const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// A corner is blunt if the cosine of the angle between the normals of its edges is larger: less than 45 degrees. Rounding does not decide
+/// at 45 degrees, the corners of octagons and of cut mitres: they are not blunt.
+pub const BLUNT: f64 = std::f64::consts::FRAC_1_SQRT_2 + TIE_EPSILON;
 
 /// The line that divides a corner between two edges of different speeds, if the corner is blunt.
 fn divider(a: &MovingLine, b: &MovingLine, corner: glam::DVec2) -> Option<MovingLine> {

@@ -1,6 +1,6 @@
 //! Checks of expressions: division by zero, arguments out of bounds, constant conditions.
 
-use super::{bounds, branches, colour, shadowing, tags, texture};
+use super::{bounds, branches, colour, indices, shadowing, tags, texture};
 use crate::analysis::{AbstractState, CaseBranch, DataFlow};
 use crate::diag::Diags;
 use crate::diag::code::Code;
@@ -29,7 +29,10 @@ pub(crate) fn check(expr: &Expr, facts: &AbstractState, flow: &DataFlow, cx: &Co
                 colour::check(cx.globals.program, row.params, &args, facts, flow, diags);
             }
         }
-        ExprKind::Comp(comp) => shadowing::values(comp, facts, cx, diags),
+        ExprKind::Comp(comp) => {
+            shadowing::values(comp, facts, cx, diags);
+            comp.arms.iter().for_each(|(selector, ..)| indices::selector(selector, facts, flow, diags));
+        }
         _ => {}
     }
     // The values of a comp are computed on each component.

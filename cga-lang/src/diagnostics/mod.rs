@@ -12,6 +12,7 @@ mod edges;
 mod elements;
 mod faces;
 mod idle_queries;
+mod indices;
 mod instances;
 mod labels;
 pub(crate) mod levels;
@@ -56,7 +57,8 @@ pub(crate) fn check(cx: &mut Context) {
             values.visit(&cx.globals, rule, &mut |site, facts| {
                 assets::check(site, facts, cx, diags);
                 match site {
-                    Site::Split(_) | Site::Sections(_) | Site::Components(..) | Site::TextureSplit(..) => {}
+                    Site::Split(_) | Site::Sections(_) | Site::TextureSplit(..) => {}
+                    Site::Components(row, block) => indices::check(row, block, facts, &values, diags),
                     Site::Condition(turn) => branches::check(turn, facts, &values, cx, diags),
                     Site::Value(value) => arithmetic::check(value, facts, &values, cx, diags),
                     Site::Operation(row, args) => {

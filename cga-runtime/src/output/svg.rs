@@ -45,9 +45,9 @@ pub struct Svg {
     pub light_elevation: f64,
     /// The width of the lines, in user units; 0 for no lines.
     pub line_width: f64,
-    /// The colour of the lines, in SVG notation.
+    /// The colour of the lines, in SVG notation. Quotes and angle brackets are escaped.
     pub line_color: String,
-    /// The colour of the background, in SVG notation; empty for none.
+    /// The colour of the background, in SVG notation; empty for none. Quotes and angle brackets are escaped.
     pub background: String,
 }
 
@@ -108,17 +108,18 @@ impl Svg {
             shown: Vec::new(),
         };
         let _ = model.replay(&mut faces);
-        let order = order::back_to_front(faces.shown.iter().map(|shown| &shown.face).collect());
+        let order = order::back_to_front(&faces.shown.iter().map(|shown| &shown.face).collect::<Vec<_>>());
         let (w, h) = (self.width, self.height);
         let mut svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\">\n");
         if !self.background.is_empty() {
-            let _ = writeln!(svg, "<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>", self.background);
+            let _ = writeln!(svg, "<rect width=\"{w}\" height=\"{h}\" fill=\"{}\"/>", escaped(&self.background));
         }
         let _ = match 0.0 < self.line_width {
             true => writeln!(
                 svg,
                 "<g stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\" fill-rule=\"evenodd\">",
-                self.line_color, self.line_width
+                escaped(&self.line_color),
+                self.line_width
             ),
             false => writeln!(svg, "<g fill-rule=\"evenodd\">"),
         };
@@ -130,6 +131,11 @@ impl Svg {
         svg.push_str("</g>\n</svg>\n");
         Ok(svg)
     }
+}
+
+/// A text inside the quotes of an attribute.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 fn write_face(svg: &mut String, shown: &Shown, material: &Material) {

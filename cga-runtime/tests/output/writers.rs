@@ -106,6 +106,14 @@ fn svg_is_the_same_as_text_file_and_stream() {
     assert!(bytes == svg.render(&model).as_bytes());
 }
 
+#[test]
+fn colours_of_an_svg_stay_in_their_attributes() {
+    let text = "\"/><script>&";
+    let svg = Svg { background: text.into(), line_color: text.into(), ..Svg::new(320, 200) }.render(&mixed());
+    assert!(!svg.contains("<script"), "{}", &svg[..300]);
+    assert_eq!(svg.matches("&quot;/&gt;&lt;script&gt;&amp;\"").count(), 2, "{}", &svg[..300]);
+}
+
 #[cfg(feature = "png")]
 #[test]
 fn png_is_the_same_as_bytes_file_and_stream() {

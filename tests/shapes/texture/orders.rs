@@ -30,8 +30,8 @@ cga! {
             report("uMin", geometry.uMin(0)) report("uMax", geometry.uMax(0))
             report("vMin", geometry.vMin(0)) report("vMax", geometry.vMax(0))
             X.
-        case step(n) < 40 : Keep(step(n), n + 1)
-        else : Change(step(n) - 40, n + 1)
+        case step(n) < 41 : Keep(step(n), n + 1)
+        else : Change(step(n) - 41, n + 1)
 
     Keep(k, n) -->
         case k == 0 : convexify() Step(n)
@@ -73,6 +73,7 @@ cga! {
         case k == 36 : taper(0.5) Step(n)
         case k == 37 : alignScopeToGeometry(yUp, 0, 0) Step(n)
         case k == 38 : comp(f) { side : setback(0.1) { all : Step(n) | remainder : Step(n) } | all = Step(n) }
+        case k == 39 : envelope(world.up, 5, 2, 60, 1, 45, 3, 50) Step(n)
         else : offset(0.1, all) Step(n)
 
     Change(k, n) -->
@@ -86,7 +87,7 @@ cga! {
 
 /// The number of starts, and of operations of each kind, in the grammar.
 const STARTS: u32 = 6;
-const KEEPS: u32 = 40;
+const KEEPS: u32 = 41;
 const CHANGES: u32 = 6;
 
 /// A lot with the form of an L.

@@ -24,11 +24,18 @@ pub(crate) fn decode(header: &ImageHeader, bytes: &[u8]) -> Result<Image, AssetE
     image.ok_or_else(|| AssetError::Broken("the image cannot be decoded".to_owned()))
 }
 
-fn png(bytes: &[u8]) -> Option<Image> {
+/// A decoder that skips colour profiles and texts: half a megabyte of them may decode to half a gigabyte.
+fn png_decoder(bytes: &[u8]) -> png::Decoder<Cursor<&[u8]>> {
     let limits = png::Limits { bytes: 16 * MOST_PIXELS as usize };
     let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), limits);
     decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().ok()?;
+    decoder.set_ignore_iccp_chunk(true);
+    decoder.set_ignore_text_chunk(true);
+    decoder
+}
+
+fn png(bytes: &[u8]) -> Option<Image> {
+    let mut reader = png_decoder(bytes).read_info().ok()?;
     let mut pixels = vec![0; reader.output_buffer_size()?];
     let info = reader.next_frame(&mut pixels).ok()?;
     let pixels = &pixels[..info.buffer_size()];
@@ -168,6 +175,112 @@ mod tests {
         }
         let of = |side| most_scans(&ImageHeader { kind: ImageKind::Jpeg, width: side, height: side, has_alpha: false });
         assert_eq!([1, 2048, 4096, 5792].map(of), [100, 100, 48, 24]);
+    }
+
+    const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+
+    /// A chunk of a PNG file, with its checksum.
+    fn chunk(name: &[u8; 4], data: &[u8]) -> Vec<u8> {
+        let remainder = |byte: &u8, of: u32| {
+            (0..8).fold(of ^ u32::from(*byte), |of, _| if of & 1 == 1 { of >> 1 ^ 0xedb8_8320 } else { of >> 1 })
+        };
+        let checksum = !name.iter().chain(data).fold(!0, |of, byte| remainder(byte, of));
+        [&(data.len() as u32).to_be_bytes()[..], name, data, &checksum.to_be_bytes()].concat()
+    }
+
+    /// A stream of deflate that is not compressed.
+    fn stored(data: &[u8]) -> Vec<u8> {
+        let length = data.len() as u16;
+        let sums = data.iter().fold([1, 0], |[a, b]: [u32; 2], byte| {
+            let a = (a + u32::from(*byte)) % 65521;
+            [a, (a + b) % 65521]
+        });
+        let ends = [length.to_le_bytes(), (!length).to_le_bytes()].concat();
+        [&[0x78, 1, 1][..], &ends, data, &(sums[1] << 16 | sums[0]).to_be_bytes()].concat()
+    }
+
+    /// A grey image of 3 x 3 pixels with their numbers.
+    fn numbered(is_interlaced: bool) -> Vec<[Vec<u8>; 2]> {
+        let size = [0, 0, 0, 3];
+        let header = [&size[..], &size, &[8, 0, 0, 0, u8::from(is_interlaced)]].concat();
+        let rows: &[&[u8]] = match is_interlaced {
+            // The passes begin at the pixels 0, 2, 6, 1 and 3; two of the seven are empty.
+            true => &[&[0, 0], &[0, 2], &[0, 6, 8], &[0, 1], &[0, 7], &[0, 3, 4, 5]],
+            false => &[&[0, 0, 1, 2], &[0, 3, 4, 5], &[0, 6, 7, 8]],
+        };
+        [(b"IHDR", header), (b"IDAT", stored(&rows.concat())), (b"IEND", Vec::new())]
+            .map(|(name, data)| [name.to_vec(), data])
+            .to_vec()
+    }
+
+    fn file(chunks: &[[Vec<u8>; 2]]) -> Vec<u8> {
+        let all = chunks.iter().flat_map(|[name, data]| chunk(name.as_slice().try_into().expect("four bytes"), data));
+        PNG.iter().copied().chain(all).collect()
+    }
+
+    /// The same image as the first frame of an animation of two frames; the second one has one pixel.
+    fn animated() -> Vec<[Vec<u8>; 2]> {
+        let control = |number: u8, side: u8| {
+            [&[0, 0, 0, number, 0, 0, 0, side, 0, 0, 0, side][..], &[0; 8], &[0, 1, 0, 1, 0, 0]].concat()
+        };
+        let mut chunks = numbered(false);
+        let second = [&[0, 0, 0, 2][..], &stored(&[0, 9])].concat();
+        let end = chunks.len() - 1;
+        chunks.splice(end..end, [[b"fcTL".to_vec(), control(1, 1)], [b"fdAT".to_vec(), second]]);
+        let before = [[b"acTL".to_vec(), vec![0, 0, 0, 2, 0, 0, 0, 0]], [b"fcTL".to_vec(), control(0, 3)]];
+        chunks.splice(1..1, before);
+        chunks
+    }
+
+    #[test]
+    fn interlaced_and_animated_images_are_read() {
+        let grey: Vec<[u8; 4]> = (0..9).map(|number| [number, number, number, 255]).collect();
+        for chunks in [numbered(false), numbered(true), animated()] {
+            assert_eq!(pixels(&file(&chunks)), grey);
+        }
+    }
+
+    /// Checksums are right, so that each decoder sees the changed byte.
+    #[test]
+    fn changed_bytes_of_png_files_never_panic() {
+        for chunks in [numbered(true), animated()] {
+            for (number, at) in
+                (0..chunks.len()).flat_map(|number| (0..chunks[number][1].len()).map(move |at| (number, at)))
+            {
+                for change in [1, 2, 4, 0x10, 0x80, 0xff] {
+                    let mut chunks = chunks.clone();
+                    chunks[number][1][at] ^= change;
+                    let bytes = file(&chunks);
+                    if let Ok(image) = header(&bytes).and_then(|head| decode(&head, &bytes)) {
+                        assert!(image.rgba.len() <= 4 * 1032 * 8 * bytes.len(), "chunk {number}, byte {at}");
+                    }
+                }
+                let mut chunks = chunks.clone();
+                chunks[number][1].truncate(at);
+                let bytes = file(&chunks);
+                let _ = header(&bytes).and_then(|head| decode(&head, &bytes));
+            }
+        }
+    }
+
+    /// They would take memory in proportion to their content, up to half a gigabyte.
+    #[test]
+    fn colour_profiles_and_texts_are_not_decoded() {
+        let mut chunks = numbered(false);
+        let content = stored(&[7; 4000]);
+        let more = [
+            [b"iCCP".to_vec(), [&b"profile\0\0"[..], &content].concat()],
+            [b"tEXt".to_vec(), [&b"Title\0"[..], &[b'x'; 4000]].concat()],
+            [b"zTXt".to_vec(), [&b"Comment\0\0"[..], &content].concat()],
+            [b"iTXt".to_vec(), [&b"Author\0\x01\0\0\0"[..], &content].concat()],
+        ];
+        chunks.splice(1..1, more);
+        let bytes = file(&chunks);
+        let reader = png_decoder(&bytes).read_info().expect("an image");
+        let info = reader.info();
+        assert!(info.icc_profile.is_none() && info.uncompressed_latin1_text.is_empty());
+        assert!(info.compressed_latin1_text.is_empty() && info.utf8_text.is_empty());
+        assert_eq!(pixels(&bytes), pixels(&file(&numbered(false))));
     }
 
     #[test]

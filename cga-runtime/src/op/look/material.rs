@@ -46,10 +46,14 @@ pub fn opacity(env: &mut Env, shape: &mut Shape, value: f64) {
     set::material_opacity(env, shape, value);
 }
 
-/// `texture(file)`: sets the colour map; empty text removes it (*texture operation*). A file with an alpha channel
+/// `texture(file)`: sets the colour map (*texture operation*). A file with an alpha channel
 /// also becomes the opacity map; otherwise the opacity map is reset. Without an asset folder, a fault: sinks that show images show a
-/// checker pattern, and files name the image.
+/// checker pattern, and files name the image. Empty text removes the colour map, with a fault: it is not the name of a file.
 pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
+    if file.is_empty() {
+        let instead = "`set(material.colormap, \"\")` removes a texture without this fault";
+        env.image_fault(format!("`texture` has no file: its name is empty, and the shape has no texture; {instead}"));
+    }
     let (file, has_alpha) = image(env, file);
     set::change_material(env, shape, |material| {
         let opacity = MaterialText::Map(Layer::Opacity);

@@ -149,13 +149,15 @@ fn combined(env: &mut Env, op: BooleanOp, word: &str, meshes: [&[Mesh]; 2], leav
         Err(BooleanError::Tangled) => "faces are too near to each other",
         Err(BooleanError::NotFinite) => "a coordinate is not finite",
     };
-    let [first, second] = meshes;
-    let (kept, instead) = match op {
-        BooleanOp::Union | BooleanOp::Unify => ([first, second].concat(), "its faces are joined as they are"),
-        BooleanOp::Subtract | BooleanOp::Intersect => (first.to_vec(), "its first operand stays as it is"),
-    };
+    let is_union = matches!(op, BooleanOp::Union | BooleanOp::Unify);
+    let instead = if is_union { "its faces are joined as they are" } else { "its first operand stays as it is" };
     env.fault(FaultKind::Geometry, format!("`{word}`: {why}; {instead}"));
+    // An operation that was ended needs no result.
+    if env.ended() {
+        return None;
+    }
+    let kept = meshes.into_iter().take(if is_union { 2 } else { 1 }).flatten();
     let mut direction = DVec3::ZERO;
-    let kept: Vec<Mesh> = kept.into_iter().map(|mesh| bent_along(mesh, &mut direction)).collect();
-    (!env.ended()).then(|| join(kept.iter()))
+    let kept: Vec<Mesh> = kept.map(|mesh| bent_along(mesh.clone(), &mut direction)).collect();
+    Some(join(kept.iter()))
 }
