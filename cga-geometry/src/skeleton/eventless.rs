@@ -54,7 +54,8 @@ pub(super) fn sweep_without_events(
         let (sine, cosine) = (sense * before.along.perp_dot(after.along), before.along.dot(after.along));
         // Corners between edges of different speeds are divided if they are blunt.
         let is_blunt = if before.speed == after.speed { sine <= STRAIGHTEST } else { BLUNT < cosine };
-        if !(0.0 < sine) || is_blunt || cosine < -BLUNT {
+        let is_left = 0.0 < sine;
+        if !is_left || is_blunt || cosine < -BLUNT {
             return None;
         }
         velocities.push(velocity(&before, &after)?);
