@@ -235,4 +235,9 @@ fn faces_that_are_thinner_than_rounding_are_no_difference() {
     assert_eq!(compared(1e-15), None);
     assert_eq!(compared(0.0), None);
     assert!(compared(1e-6).is_some_and(|text| text.contains("the number of faces: 1 and 2")));
+    // Beside a thin face, all else must be alike.
+    let turned = outcome(&Whole::default(), &Settings::default(), &Shape::mesh(divided(1e-15).to_mesh().reversed()));
+    let found = difference(&run(0.0), &turned, Tolerance { length: 1e-9 });
+    assert!(found.is_some_and(|text| text.contains("the number of faces: 1 and 2")));
+    assert!(difference(&run(1e-15), &turned, Tolerance { length: 1e-9 }).is_some());
 }

@@ -1,7 +1,7 @@
 //! The comparison of two runs.
 
-use cga::glam::DVec2;
-use cga::mesh::FaceTag;
+use cga::glam::{DVec2, DVec3};
+use cga::mesh::{FaceRef, FaceTag};
 use cga::{Collection, Fault, LeafView, Mesh, Model, Report, Scope};
 
 /// The result of a run.
@@ -185,20 +185,40 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
             let found = faces(&mesh, &other, tolerance).or_else(points)?;
             // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not.
             let [mesh, other] = [mesh.map(&placement), other.map(&place)];
-            let is_alike = (has_thin_face(&mesh, tolerance) || has_thin_face(&other, tolerance))
-                && tolerance.number(mesh.area(), other.area());
-            (!is_alike).then_some(found)
+            (!differs_in_thin_faces(&mesh, &other, tolerance)).then_some(found)
         })
 }
 
+/// Returns true if one mesh has thin faces that the other one does not have, and the other faces and the bounds are alike.
+fn differs_in_thin_faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
+    let thick = |mesh: &Mesh| -> Vec<_> {
+        let faces = mesh.faces().filter(|face| !is_thin(face, tolerance));
+        let tell = |face: FaceRef<'_>| {
+            let tag = face.tag();
+            let tags = face.tags().map(|tags| format!("{tags:?}"));
+            (tag.cap, tags, mesh.groups().get(tag.group as usize).cloned(), face.area(), face.normal())
+        };
+        faces.map(tell).collect()
+    };
+    let (own, its) = (thick(a), thick(b));
+    let is_alike = |((cap, tags, group, area, normal), its): (&_, &(_, _, _, f64, _))| {
+        (cap, tags, group) == (&its.0, &its.1, &its.2)
+            && tolerance.number(*area, its.3)
+            && tolerance.vectors(*normal, its.4, 1e-9)
+    };
+    let [low, high] = [(a.bounds().low, b.bounds().low), (a.bounds().high, b.bounds().high)];
+    a.face_count() != b.face_count()
+        && own.len() == its.len()
+        && own.iter().zip(&its).all(is_alike)
+        && tolerance.vectors(low.0, low.1, 0.0)
+        && tolerance.vectors(high.0, high.1, 0.0)
+}
+
 /// Returns true if a face is narrower than the tolerance.
-fn has_thin_face(mesh: &Mesh, tolerance: Tolerance) -> bool {
-    mesh.faces().any(|face| {
-        let ring = face.loops().next().unwrap_or_default();
-        let at = |corner: usize| mesh.points()[ring[corner % ring.len()] as usize];
-        let longest = (0..ring.len()).map(|corner| at(corner).distance(at(corner + 1))).fold(0.0, f64::max);
-        face.area() <= tolerance.length * longest
-    })
+fn is_thin(face: &FaceRef<'_>, tolerance: Tolerance) -> bool {
+    let ring: Vec<DVec3> = face.outline().collect();
+    let longest = (0..ring.len()).map(|at| ring[at].distance(ring[(at + 1) % ring.len()])).fold(0.0, f64::max);
+    face.area() <= tolerance.length * longest
 }
 
 /// Compares the coordinates of a set at all corners; lists are as long as each other or empty.

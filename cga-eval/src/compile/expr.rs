@@ -168,8 +168,9 @@ impl Compiler<'_> {
                     param.kind.words().is_none() || !matches!(arg.kind, ExprKind::Value(Value::Text(_)))
                 });
                 values.for_each(|(arg, _)| self.expr(arg, locals, steps));
-                if let Some(call) = dispatch::function(function, args) {
-                    steps.call(call);
+                match dispatch::function(function, args) {
+                    Some(call) => steps.call(call),
+                    None => self.problems.missing(function.name, expr.span),
                 }
             }
             ExprKind::Rust(path, args) => {
@@ -181,17 +182,15 @@ impl Compiler<'_> {
                 let args = args.iter().map(|arg| arg.ty).collect();
                 steps.add(Instruction::Host(Box::new(HostCall { name, function, args, ty: expr.ty, is_value: false })));
             }
-            ExprKind::Shape(attr) => {
-                if let Some(call) = dispatch::read(attr) {
-                    steps.call(call);
-                }
-            }
+            ExprKind::Shape(attr) => match dispatch::read(attr) {
+                Some(call) => steps.call(call),
+                None => self.problems.missing(attr.name, expr.span),
+            },
             ExprKind::Comp(comp) => self.comp(comp, expr.ty, locals, steps),
-            ExprKind::Word(word) => {
-                if let Some(word) = dispatch::rt_word(word) {
-                    steps.add(Instruction::Word(word));
-                }
-            }
+            ExprKind::Word(word) => match dispatch::rt_word(word) {
+                Some(word) => steps.add(Instruction::Word(word)),
+                None => self.problems.missing(word, expr.span),
+            },
             ExprKind::Style(styles) => steps.add(Instruction::Style(styles.clone().into())),
             ExprKind::Site(sites) => steps.add(Instruction::Site(sites.clone().into())),
             ExprKind::Array(rows) => {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::FaceOrigin;
 use crate::each::Each;
+use crate::mesh::pair_table::PairTable;
 use crate::mesh::{FaceTag, Mesh, TagSet, TagSetTable};
 
 /// The sets of tags of new faces.
@@ -15,8 +16,8 @@ pub(super) struct FaceTags<'s> {
     table: TagSetTable,
     /// The tags of the operation so far.
     names: Vec<Option<&'static str>>,
-    /// For each of these names and each set of the source, and at last for no set, the number of the set of both, or [`UNKNOWN`].
-    known: Vec<u32>,
+    /// For a set of the source, or [`FaceTag::NONE`], and the place of one of these names the number of the set of both, or [`UNKNOWN`].
+    known: PairTable,
 }
 
 /// The number of a set that was not asked for yet.
@@ -24,7 +25,7 @@ const UNKNOWN: u32 = u32::MAX;
 
 impl<'s> FaceTags<'s> {
     pub(super) fn new(source: &'s Mesh) -> Self {
-        FaceTags { source, table: TagSetTable::default(), names: Vec::new(), known: Vec::new() }
+        FaceTags { source, table: TagSetTable::default(), names: Vec::new(), known: PairTable::default() }
     }
 
     /// The attributes of a face.
@@ -62,15 +63,13 @@ impl<'s> FaceTags<'s> {
 
     /// The number of the tags of a set of the source and of a tag of the operation.
     fn number(&mut self, set: u32, tag: Option<&'static str>) -> u32 {
-        let sets = self.source.tag_sets();
         let row = self.names.iter().position(|known| *known == tag).unwrap_or_else(|| {
             self.names.push(tag);
-            self.known.resize(self.names.len() * (sets.len() + 1), UNKNOWN);
             self.names.len() - 1
         });
-        let number = &mut self.known[row * (sets.len() + 1) + (set as usize).min(sets.len())];
+        let (number, _) = self.known.entry(set, row as u32, UNKNOWN);
         if *number == UNKNOWN {
-            *number = match (sets.get(set as usize), tag) {
+            *number = match (self.source.tag_sets().get(set as usize), tag) {
                 (Some(own), Some(tag)) => self.table.number(&own.renewed(tag)),
                 (Some(own), None) => self.table.number(own),
                 (None, Some(tag)) => self.table.number(&TagSet::of_operation(tag)),

@@ -81,9 +81,11 @@ mod faces;
 mod origin;
 mod values;
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use crate::mesh::{FaceRef, Mesh, TagSet};
+use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
 pub use crate::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
@@ -91,6 +93,9 @@ pub use origin::FaceOrigin;
 pub(crate) use origin::{EdgeOrigin, EdgeSource};
 pub(crate) use values::Mix;
 use values::OldFace;
+
+/// The number of sets of tags that parts of a mesh share with it, whether their faces have these tags or not.
+const FEW_SETS: usize = 8;
 
 /// The values of corners that an operation keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -113,7 +118,8 @@ pub struct Derivation<'s> {
     made: Mesh,
     has_normals: bool,
     has_trace: bool,
-    /// True if some faces have other tags than their old faces. Until then the sets of the source serve all.
+    /// True if the mesh has sets of tags of its own: the source has many sets, or some faces have other tags than their old faces. Otherwise
+    /// the sets of the source serve all.
     has_face_tags: bool,
     /// True if the origins of points are kept: for values, tags or traces.
     has_origins: bool,
@@ -152,10 +158,12 @@ impl<'s> Derivation<'s> {
     #[inline(always)]
     fn with(source: &'s Mesh, made: Mesh, has_normals: bool, has_origins: bool) -> Self {
         let (origins, tags, old) = (Vec::new(), None, None);
-        Derivation { source, made, has_normals, has_trace: true, has_face_tags: false, has_origins, origins, tags, old }
+        // Parts of a mesh with a set for each face have their own sets alone.
+        let has_face_tags = FEW_SETS < source.tag_sets.len();
+        Derivation { source, made, has_normals, has_trace: true, has_face_tags, has_origins, origins, tags, old }
     }
 
-    /// Makes room for some points, corners and loops. There are none yet.
+    /// Makes room for some points, corners and loops, before the first one.
     #[inline]
     pub(crate) fn make_room(&mut self, points: usize, corners: usize, loops: usize) {
         self.made.points = Vec::with_capacity(points);
@@ -275,10 +283,9 @@ impl<'s> Derivation<'s> {
     #[inline(always)]
     pub(crate) fn end_face(&mut self, origin: FaceOrigin) {
         let is_piece = origin.is_piece() || (origin.is_strip() && !self.has_component_tags());
-        let tag = match is_piece && !self.has_face_tags {
-            true => self.source.tags[origin.face as usize],
-            false => self.face_tags().of(&origin),
-        };
+        let own = self.source.tags[origin.face as usize];
+        let keeps = is_piece && (!self.has_face_tags || own.tags == FaceTag::NONE);
+        let tag = if keeps { own } else { self.face_tags().of(&origin) };
         self.made.end_face(tag);
     }
 
@@ -336,6 +343,8 @@ impl<'s> Derivation<'s> {
     pub fn finish(mut self) -> Mesh {
         if self.tags.is_some() || self.source.needs_origins() {
             self.finish_tags();
+        } else if self.has_face_tags {
+            self.made.tag_sets = Arc::default();
         }
         self.made.check_structure();
         self.made

@@ -21,7 +21,7 @@ impl Mesh {
     }
 
     /// Returns true if the faces enclose a volume: each edge is used equally often in both directions. False for a mesh
-    /// without faces.
+    /// without faces. Also false if the work of a [`Supervisor`](crate::work::Supervisor) ends before all edges are counted.
     pub fn is_closed(&self) -> bool {
         self.whether_closed().unwrap_or(false)
     }
@@ -66,7 +66,7 @@ impl Mesh {
     }
 
     /// The enclosed volume in cubic metres, negative if the faces look inwards. For an open mesh, the signed volume of the cone from
-    /// the centre of its bounds to its faces.
+    /// the centre of its bounds to its faces. If the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile, the sum so far.
     pub fn volume(&self) -> f64 {
         self.volume_of(|p| p)
     }

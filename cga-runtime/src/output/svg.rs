@@ -45,9 +45,9 @@ pub struct Svg {
     pub light_elevation: f64,
     /// The width of the lines, in user units; 0 for no lines.
     pub line_width: f64,
-    /// The colour of the lines, in SVG notation. Quotes and angle brackets are escaped.
+    /// The colour of the lines, in SVG notation. Quotes, angle brackets and `&` are escaped.
     pub line_color: String,
-    /// The colour of the background, in SVG notation; empty for none. Quotes and angle brackets are escaped.
+    /// The colour of the background, in SVG notation; empty for none. Quotes, angle brackets and `&` are escaped.
     pub background: String,
 }
 

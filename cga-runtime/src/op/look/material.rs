@@ -241,7 +241,9 @@ mod tests {
             assert_eq!((color.as_str(), opacity.as_str()), ("builtin:unknowntexture.png", ""));
             assert!(fault.starts_with(&format!("`{name}` cannot be shown")), "{fault}");
         }
-        assert_eq!(maps(""), texts("", "", ""));
+        let (color, opacity, fault) = maps("");
+        assert_eq!((color.as_str(), opacity.as_str()), ("", ""));
+        assert!(fault.starts_with("`texture` has no file: its name is empty"), "{fault}");
         set::material_normalmap(env, shape, "none.png".into());
         set::material_normalmap(env, shape, "none.png".into());
         let (faults, _) = env.take_faults();
