@@ -224,7 +224,7 @@ fn divided(width: f64) -> Shape {
     } else {
         builder.polygon(&[0, 2, 3, 5].map(|at: usize| points[at]));
     }
-    Shape::mesh(builder.build().expect("a mesh"))
+    Shape::mesh_axis_aligned(builder.build().expect("a mesh"))
 }
 
 /// A cut that follows an edge up to rounding makes such a face or does not.
@@ -236,7 +236,11 @@ fn faces_that_are_thinner_than_rounding_are_no_difference() {
     assert_eq!(compared(0.0), None);
     assert!(compared(1e-6).is_some_and(|text| text.contains("the number of faces: 1 and 2")));
     // Beside a thin face, all else must be alike.
-    let turned = outcome(&Whole::default(), &Settings::default(), &Shape::mesh(divided(1e-15).to_mesh().reversed()));
+    let turned = outcome(
+        &Whole::default(),
+        &Settings::default(),
+        &Shape::mesh_axis_aligned(divided(1e-15).to_mesh().reversed()),
+    );
     let found = difference(&run(0.0), &turned, Tolerance { length: 1e-9 });
     assert!(found.is_some_and(|text| text.contains("the number of faces: 1 and 2")));
     assert!(difference(&run(1e-15), &turned, Tolerance { length: 1e-9 }).is_some());
