@@ -38,7 +38,10 @@ impl PlacedBox {
         let (o, [x, y, z]) = (self.origin, self.sides);
         let (p, q) = (o + y, o + z);
         let r = p + z;
-        [o, o + x, p, p + x, q, q + x, r, r + x].map(|corner| corner.as_vec4())
+        // Not with `map`, which is a call of its own in some programs.
+        let [a, b, c, d] = [o, o + x, p, p + x].each(|corner| corner.as_vec4());
+        let [e, f, g, h] = [q, q + x, r, r + x].each(|corner| corner.as_vec4());
+        [a, b, c, d, e, f, g, h]
     }
 
     /// The four corners of a rectangle, counter-clockwise. All have the fourth coordinate of the origin.
