@@ -110,7 +110,9 @@ fn ball(rows: u32) -> Mesh {
 fn by_hand(mesh: &Mesh) -> [Vec<u32>; 3] {
     let mut lists = [Vec::new(), Vec::new(), Vec::new()];
     for face in mesh.faces() {
-        let [a, b, c] = [0, 1, 2].map(|i| mesh.points()[face.outer()[i] as usize]);
+        let outline = face.outer();
+        let at = |i: usize| mesh.points()[outline[i] as usize];
+        let (a, b, c) = (at(0), at(1), at(2));
         let normal = (b - a).cross(c - a).normalize();
         let list = if normal.x.abs().max(normal.z.abs()) < normal.y { 0 } else { 1 + usize::from(0.98 < -normal.y) };
         lists[list].push(face.index() as u32);
