@@ -30,8 +30,8 @@ pub(crate) fn selector(selector: &Expr, facts: &AbstractState, flow: &DataFlow, 
     if is_literal || index.is_odd() || !is_fraction && 0.0 <= index.hi {
         return;
     }
-    let what =
+    let index =
         index.known().map_or_else(|| "a negative index".to_owned(), |index| format!("the index {}", shown(index)));
-    let diag = diags.report(Code::SelectorHidden, selector.span, format!("there is no component with {what}"));
+    let diag = diags.report(Code::SelectorHidden, selector.span, format!("no component has {index}"));
     diag.note("indices of components are whole numbers from 0").help("write the index of a component, or a selector");
 }

@@ -86,7 +86,7 @@ impl<'a> Resolver<'_, 'a, '_> {
             && let ExprKind::Number(number) = operand.kind
             && 0.0 < number
         {
-            let message = format!("there is no component with the index -{number}");
+            let message = format!("no component has the index -{number}");
             let code = if self.dialect() == Dialect::Text { Code::SelectorHidden } else { Code::UnknownSelector };
             let diag = self.cx.diags.report(code, selector.span, message);
             diag.note("components are numbered from 0").help("write the index of a component, or a selector");

@@ -54,8 +54,8 @@ impl LeafPart {
 }
 
 impl Network {
-    /// A network without points, for leaves with so many corners. Sinks write coordinates relative to an origin that follows from the
-    /// bounds.
+    /// A network without points. `bounds` are the bounds of the leaves, and `corners` is their number of corners. Sinks write coordinates
+    /// relative to an origin, which is computed from the bounds.
     pub(super) fn new(bounds: Bounds, corners: usize) -> Self {
         // Boxes have half as many edges as corners, and share some points and edges.
         let shared = corners / 2;

@@ -20,7 +20,7 @@ const DIRECTION: f64 = 1e-7;
 /// If edges have more directions than [`FEW_DIRECTIONS`], a direction has a table if it has at least this share of edges for each point.
 const EDGES_A_POINT: f64 = 0.05;
 
-/// The number of directions up to which each has a table. A tree of all points takes as long as so many tables.
+/// If edges have at most this number of directions, each direction has a table. More tables take longer than a tree of all points.
 const FEW_DIRECTIONS: usize = 16;
 
 /// Points of a cell are sorted if there are more.
