@@ -11,8 +11,9 @@ use super::edge_table::EdgeTable;
 use super::facet::Facet;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
-use super::progress::goes_on;
+use super::progress::{goes_on, sort};
 use crate::bounds_tree::{BoundsTree, overlap};
+use crate::buckets::Buckets;
 use crate::disjoint::DisjointSets;
 use crate::each::Each;
 use crate::exact::orient;
@@ -116,8 +117,8 @@ struct LineGraph {
     /// The start of each half-edge.
     starts: Vec<u32>,
     /// The half-edges that leave each point, counter-clockwise.
-    leaving: Vec<Vec<u32>>,
-    /// The place of each half-edge in that list.
+    leaving: Buckets,
+    /// The place of each half-edge among all of these.
     places: Vec<u32>,
 }
 
@@ -131,18 +132,21 @@ struct Cycle {
 impl LineGraph {
     fn new(lines: &[[u32; 2]], at: &dyn Fn(u32) -> DVec2) -> Result<Self, BooleanError> {
         let mut points = lines.as_flattened().to_vec();
-        goes_on(lines.len())?;
-        points.small_sort();
+        sort(&mut points)?;
         points.dedup();
         goes_on(lines.len())?;
         let flat: Vec<DVec2> = points.iter().map(|point| at(*point)).collect();
         let number = |point: u32| points.binary_search(&point).unwrap_or_default() as u32;
-        let starts: Vec<u32> = lines.as_flattened().iter().map(|point| number(*point)).collect();
-        goes_on(lines.len())?;
-        let mut leaving = vec![Vec::new(); points.len()];
-        starts.iter().enumerate().for_each(|(half, start)| leaving[*start as usize].push(half as u32));
+        let mut starts = Vec::with_capacity(2 * lines.len());
+        for line in lines {
+            goes_on(2)?;
+            starts.extend(line.each(number));
+        }
+        let mut leaving = Buckets::by(points.len(), starts.iter().copied());
         let mut places = vec![0; starts.len()];
-        for (point, list) in leaving.iter_mut().enumerate() {
+        for point in 0..points.len() {
+            let range = leaving.range(point);
+            let (first, list) = (range.start as u32, &mut leaving.items[range]);
             goes_on(list.len())?;
             let end = |half: u32| flat[starts[half as usize ^ 1] as usize];
             let lower = |half: u32| {
@@ -154,7 +158,7 @@ impl LineGraph {
             if list.windows(2).any(|pair| lower(pair[0]) == lower(pair[1]) && turn(pair[0], pair[1]) <= 0) {
                 return Err(BooleanError::Tangled);
             }
-            list.iter().enumerate().for_each(|(place, half)| places[*half as usize] = place as u32);
+            (first..).zip(list).for_each(|(place, half)| places[*half as usize] = place);
         }
         Ok(LineGraph { points, flat, starts, leaving, places })
     }
@@ -162,12 +166,13 @@ impl LineGraph {
     /// The half-edge after another one in the cycle on its left, among those that are kept.
     fn next(&self, half: u32, is_kept: impl Fn(u32) -> bool) -> u32 {
         let back = half ^ 1;
-        let around = &self.leaving[self.starts[back as usize] as usize];
+        let around = self.leaving.range(self.starts[back as usize] as usize);
         let mut place = self.places[back as usize] as usize;
         loop {
-            place = if place == 0 { around.len() } else { place } - 1;
-            if is_kept(around[place]) {
-                return around[place];
+            place = if place == around.start { around.end } else { place } - 1;
+            let half = self.leaving.items[place];
+            if is_kept(half) {
+                return half;
             }
         }
     }
@@ -208,7 +213,7 @@ impl LineGraph {
         let (mut open, mut windings): (Vec<u32>, usize) = (Vec::new(), 0);
         let boxes: Vec<Bounds> = cycles.iter().map(|cycle| cycle.bounds).collect();
         let tree = BoundsTree::of(&boxes);
-        let mut is_done = vec![false; cycles.len()];
+        let (mut is_done, mut is_known) = (vec![false; cycles.len()], vec![false; cycles.len()]);
         for (outer, halves) in parts.iter().map(|part| (part.outer, &part.halves)) {
             let around = self.smallest_around(&cycles, &tree, &is_done, cycles[outer as usize].ring[0], budget)?;
             cell[outer as usize] = around;
@@ -216,8 +221,8 @@ impl LineGraph {
             let mut seen = vec![outer];
             open.push(outer);
             let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
-            by_cycle.small_sort();
-            let mut known: std::collections::BTreeSet<u32> = [outer].into();
+            sort(&mut by_cycle)?;
+            is_known[outer as usize] = true;
             while let Some(cycle) = open.pop() {
                 let from = by_cycle.partition_point(|entry| entry.0 < cycle);
                 for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
@@ -225,7 +230,7 @@ impl LineGraph {
                     // The left side of a line has `count` more than its right side.
                     let value = winding[cycle as usize].across(&lines[half as usize / 2].count, half % 2 == 0);
                     budget.spend(value.len())?;
-                    if known.insert(beyond) {
+                    if !std::mem::replace(&mut is_known[beyond as usize], true) {
                         windings += value.len();
                         if budget.windings < windings {
                             return Err(BooleanError::TooMany);
@@ -332,13 +337,13 @@ impl LineGraph {
             });
             let Some(lowest) = lowest else { continue };
             // All lines lead to the right, or straight up. The outer face is beyond the steepest one.
-            let around = &self.leaving[lowest as usize];
+            let around = self.leaving.of(lowest as usize);
             let rises = |half: u32| self.flat[self.starts[half as usize ^ 1] as usize].y >= at(lowest).y;
             let steepest = around.iter().rev().find(|half| rises(**half)).or(around.last());
             let Some(&steepest) = steepest else { continue };
             let size =
                 set.iter().fold([at(lowest); 2], |[low, high], point| [low.min(at(*point)), high.max(at(*point))]);
-            let halves = set.iter().flat_map(|point| self.leaving[*point as usize].iter().copied()).collect();
+            let halves = set.iter().flat_map(|point| self.leaving.of(*point as usize).iter().copied()).collect();
             parts.push(GraphPart {
                 outer: of_half[steepest as usize],
                 halves,

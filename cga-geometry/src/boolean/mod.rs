@@ -238,6 +238,10 @@ impl Input<'_> {
         let mut polygons = maker.polygons(&chosen, budget)?;
         straight::drop_straight(&points, &mut polygons)?;
         ask()?;
+        drop(groups);
+        drop(sheets);
+        drop(edges);
+        ask()?;
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();
         for (point, number) in self.mesh.points().iter().zip(&numbers).rev() {

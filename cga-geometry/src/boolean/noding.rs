@@ -9,7 +9,7 @@ use super::facet::Facet;
 use super::operation::BooleanError;
 use super::plane_group::PlaneGroups;
 use super::point_set::PointSet;
-use super::progress::goes_on;
+use super::progress::{goes_on, sort};
 use crate::bounds_tree::{BoundsTree, overlap};
 use crate::each::Each;
 use crate::exact::orient;
@@ -51,18 +51,18 @@ pub(super) fn divide_edges(
         if cuts.is_empty() {
             return Ok(());
         }
-        cuts.small_sort();
+        sort(&mut cuts)?;
         cuts.dedup();
         open.clear();
         let mut here = Vec::new();
         for group in cuts.chunk_by(|a, b| a[0] == b[0]) {
             here.clear();
             here.extend(group.iter().map(|[_, point]| *point));
+            goes_on(2 * here.len() * edges.list[group[0][0] as usize].owners.len())?;
             edges.divide(facets, points, group[0][0], &mut here, &mut open);
             budget.check(edges, points)?;
-            goes_on(here.len())?;
         }
-        open.small_sort();
+        sort(&mut open)?;
         open.dedup();
         for &facet in &open {
             goes_on(facets[facet as usize].lines.len())?;

@@ -38,7 +38,7 @@ impl PlaneGroups {
         let mut sets = DisjointSets::new(first);
         overlapping.iter().for_each(|[a, b]| sets.unite(*a, *b));
         for set in sets.sets().into_iter().filter(|set| 1 < set.len()) {
-            groups.divide(points, facets, set, budget)?;
+            groups.divide(points, facets, &set, budget)?;
         }
         for number in 0..groups.members.len() {
             groups.take_lines(points, edges, facets, number, budget)?;
@@ -72,11 +72,13 @@ impl PlaneGroups {
         &mut self,
         points: &PointSet,
         facets: &mut Vec<Facet>,
-        mut set: Vec<u32>,
+        set: &[u32],
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
-        let area = |facets: &[Facet], number: u32| facets[number as usize].double_area(points).abs();
-        set.small_sort_by(|&a, &b| area(facets, b).total_cmp(&area(facets, a)));
+        let area = |number: u32| (facets[number as usize].double_area(points).abs(), number);
+        let mut by_area: Vec<(f64, u32)> = set.iter().copied().map(area).collect();
+        by_area.small_sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut set: Vec<u32> = by_area.into_iter().map(|(_, facet)| facet).collect();
         while 1 < set.len() {
             budget.spend(set.iter().map(|facet| facets[*facet as usize].corners.len()).sum())?;
             let plane = &facets[set[0] as usize];

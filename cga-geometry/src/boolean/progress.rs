@@ -1,6 +1,7 @@
 //! Counts work that no budget limits.
 
 use super::operation::BooleanError;
+use crate::long_sort::long_sort_by;
 use crate::work;
 
 /// The units of work of dividing an edge or reading a corner.
@@ -14,4 +15,9 @@ pub(super) fn goes_on(steps: usize) -> Result<(), BooleanError> {
 /// Asks whether the work goes on: before and after long steps that count no work themselves.
 pub(super) fn ask() -> Result<(), BooleanError> {
     if work::ask() { Ok(()) } else { Err(BooleanError::TooMany) }
+}
+
+/// Sorts a list that may be long. An error if the work is to end.
+pub(super) fn sort<T: Copy + Ord>(list: &mut [T]) -> Result<(), BooleanError> {
+    if long_sort_by(list, Ord::cmp) { Ok(()) } else { Err(BooleanError::TooMany) }
 }

@@ -10,6 +10,7 @@ use super::progress::goes_on;
 use super::ray::{Around, RayCaster};
 use super::sheet::{SheetSide, Sheets};
 use super::shell::ShellKind;
+use crate::buckets::Buckets;
 use crate::disjoint::DisjointSets;
 use crate::each::Each;
 
@@ -33,16 +34,16 @@ impl Windings {
         }
         spaces.flatten();
         let space = |sheet: u32, side: SheetSide| spaces.find(node(sheet, side));
-        let mut at_space: Vec<Vec<u32>> = vec![Vec::new(); 2 * count];
-        for sheet in 0..count as u32 {
-            SheetSide::BOTH.iter().for_each(|side| at_space[space(sheet, *side) as usize].push(sheet));
-        }
+        // The sides at each space.
+        let at_space = Buckets::by(2 * count, (0..2 * count as u32).map(|node| spaces.find(node)));
+        goes_on(count)?;
+        let mut is_seen = [vec![false; count], vec![false; 2 * count]];
         let mut known: Vec<Option<Around>> = vec![None; 2 * count];
         for first in 0..count as u32 {
             if known[space(first, SheetSide::Front) as usize].is_some() {
                 continue;
             }
-            let connected = connected_sheets(first, &at_space, &space);
+            let connected = connected_sheets(first, &at_space, &space, &mut is_seen)?;
             // The first of the widest sheets.
             let mut widest: Option<(f64, u32)> = None;
             for &sheet in &connected {
@@ -59,7 +60,7 @@ impl Windings {
             known[start as usize] = Some(around);
             let mut open = vec![start];
             while let Some(here) = open.pop() {
-                for &sheet in &at_space[here as usize] {
+                for sheet in at_space.of(here as usize).iter().map(|node| node / 2) {
                     goes_on(1)?;
                     let step = step_back(sheets, rays, sheet);
                     for side in SheetSide::BOTH.into_iter().filter(|side| space(sheet, *side) == here) {
@@ -84,22 +85,28 @@ impl Windings {
     }
 }
 
-/// The sheets that are connected with one, by common spaces.
-fn connected_sheets(first: u32, at_space: &[Vec<u32>], space: &impl Fn(u32, SheetSide) -> u32) -> Vec<u32> {
+/// The sheets that are connected with one, by common spaces. `is_seen` are the sheets and the spaces of all calls before.
+fn connected_sheets(
+    first: u32,
+    at_space: &Buckets,
+    space: &impl Fn(u32, SheetSide) -> u32,
+    [is_seen, is_done]: &mut [Vec<bool>; 2],
+) -> Result<Vec<u32>, BooleanError> {
     let mut found = vec![first];
-    let mut seen: std::collections::BTreeSet<u32> = [first].into();
-    let mut done: std::collections::BTreeSet<u32> = std::collections::BTreeSet::new();
+    is_seen[first as usize] = true;
     let mut next = 0;
     while let Some(&sheet) = found.get(next) {
+        goes_on(1)?;
         next += 1;
         for side in SheetSide::BOTH {
-            let here = space(sheet, side);
-            if done.insert(here) {
-                found.extend(at_space[here as usize].iter().copied().filter(|sheet| seen.insert(*sheet)));
+            let here = space(sheet, side) as usize;
+            if !std::mem::replace(&mut is_done[here], true) {
+                let sheets = at_space.of(here).iter().map(|node| node / 2);
+                found.extend(sheets.filter(|sheet| !std::mem::replace(&mut is_seen[*sheet as usize], true)));
             }
         }
     }
-    found
+    Ok(found)
 }
 
 /// The change of the numbers from the front to the back of a sheet.

@@ -10,6 +10,11 @@ use super::{EdgeOrigin, EdgeSource, PointOrigin};
 use crate::each::Each;
 use crate::mesh::{Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, in_order, whole_edge};
 use crate::small_sort::SmallSort;
+use crate::work;
+
+/// The units of work of an edge that is sorted, and of one whose tags are found.
+const SORTING: usize = 8;
+const EDGE: usize = 16;
 
 /// The origins of edges that operations have given, and the tags that they have added.
 #[derive(Default)]
@@ -58,6 +63,9 @@ impl EdgeOrigins {
             return SubcomponentTags::default();
         }
         let mut tags = SubcomponentTagsBuilder::default();
+        if !work::spend(SORTING * self.edges.len()) {
+            return SubcomponentTags::default();
+        }
         self.edges.small_sort_by_key(|entry| entry.0);
         let (own, plain) = (std::mem::take(&mut self.own).into_sets(), TagSet::default());
         let set_of = |source: EdgeSource| match source {
@@ -69,6 +77,9 @@ impl EdgeOrigins {
         // The sets of edges with a tag of the operation.
         let mut renewed: BTreeMap<(&TagSet, &'static str), TagSet> = BTreeMap::new();
         for ends in made.face_edges() {
+            if !work::spend(EDGE) {
+                return SubcomponentTags::default();
+            }
             let from = self.edges.partition_point(|entry| entry.0 < in_order(ends));
             let given = self.edges[from..].iter().take_while(|entry| entry.0 == in_order(ends));
             let is_given = given.clone().any(|(_, origin)| !matches!(origin.source, EdgeSource::Own(_)));
