@@ -1,9 +1,9 @@
 //! Finds overlaps of roadways and assigns these parts to junctions.
 
+use super::StreetError;
 use super::grid::{Point, is_sliver};
 use super::pieces::{JunctionDraft, Plot, StreetPieces};
-use super::subdivision::Subdivision;
-use super::{MOST_CROSSINGS, StreetError};
+use super::subdivision::{Subdivision, check_edges};
 use cga_geometry::small_sort::SmallSort;
 
 /// The limit on attempts to find a plan without overlaps. Each attempt enlarges junctions; most networks need three.
@@ -16,12 +16,14 @@ const MARGIN: f64 = 1e-5;
 /// belong to the first of their streets. So the parts of a network never overlap, but such a street may have texture
 /// coordinates that do not reach 0 or 1.
 pub(super) fn resolve(plan: &mut JunctionDraft, attempts: usize) -> Result<StreetPieces, StreetError> {
+    // A roadway and two sidewalks, with four edges each.
+    check_edges(plan.chains.iter().map(|chain| 12 * chain.len()).sum())?;
     for _ in 0..attempts {
         let pieces = plan.pieces();
         let roads: Vec<usize> =
             (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Plot::Walk { .. })).collect();
         let rings: Vec<Vec<Point>> = roads.iter().map(|&at| pieces.list[at].ring()).collect();
-        let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
+        let faces = Subdivision::new(&rings)?;
         let mut changed = false;
         for (face, covers) in faces.covers.iter().enumerate().filter(|(_, covers)| 1 < covers.len()) {
             let ring = faces.ring(face);

@@ -34,9 +34,14 @@ pub enum StreetError {
         /// The value.
         value: f64,
     },
-    /// The borders of streets cross too often.
+    /// The borders of streets have too many edges.
+    TooLarge {
+        /// The most edges.
+        most: usize,
+    },
+    /// The borders of streets cross too often, or very many lie over each other.
     TooDense {
-        /// The limit.
+        /// The most crossings.
         most: usize,
     },
 }
@@ -57,8 +62,11 @@ impl fmt::Display for StreetError {
                 let most = if *name == "arc_above" { 180 } else { 100 };
                 write!(f, "the option `{name}` is {value}; give a number from 0 to {most}")
             }
+            StreetError::TooLarge { most } => {
+                write!(f, "the borders of the streets have more than {most} edges; divide the network")
+            }
             StreetError::TooDense { most } => {
-                write!(f, "the streets cross more than {most} times; remove doubled lines or divide the network")
+                write!(f, "too many streets cross or lie over each other: at most {most} crossings; divide the network")
             }
         }
     }

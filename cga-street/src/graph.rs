@@ -6,9 +6,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{GridMap, Point, SegmentGrid};
+use super::grid::{GridMap, Point};
 use super::input::{Centerline, NetworkOptions};
 use super::rounding::divide;
+use super::segment_tree::SegmentTree;
 use super::{MOST_CROSSINGS, StreetError};
 
 /// A straight part of a centre line between two vertices, in the direction of the line.
@@ -44,10 +45,14 @@ impl Graph {
             join_ends(&mut paths, options.snap);
             reach_segments(&mut paths, options.snap);
         }
-        let mut segments = Vec::new();
+        let (mut segments, mut known) = (Vec::new(), BTreeSet::new());
         for (line, path) in paths.iter().enumerate() {
             let ends = path.windows(2).map(|ends| LineSegment { ends: [ends[0], ends[1]], line: line as u32 });
-            segments.extend(ends.filter(|segment| segment.ends[0].0 != segment.ends[1].0));
+            // Of coincident segments the first one is kept.
+            segments.extend(ends.filter(|segment| {
+                let [a, b] = segment.ends.each(|end| end.0);
+                a != b && known.insert([a.min(b), a.max(b)])
+            }));
         }
         let mut graph = Graph::divided(&segments)?;
         if 0.0 < options.snap {
@@ -186,7 +191,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
             homes.push((line, at));
         }
     }
-    let buckets = SegmentGrid::of_segments(&segments);
+    let tree = SegmentTree::of(segments.iter().copied());
     let margin = (snap / super::grid::UNIT) as i64 + 1;
     let mut added: BTreeMap<(usize, usize), Vec<LinePoint>> = BTreeMap::new();
     for line in 0..paths.len() {
@@ -201,7 +206,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
             }
             let place = end.place();
             let mut best: Option<(f64, u32)> = None;
-            buckets.near_segment([end, end], margin, |number| {
+            tree.near([end, end], margin, |number| {
                 let (other, _) = homes[number as usize];
                 let distance = nearest_on(segments[number as usize], place).distance(place);
                 let better = best.is_none_or(|(least, first)| (distance, number) < (least, first));

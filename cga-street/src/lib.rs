@@ -47,6 +47,7 @@ mod parts;
 mod pieces;
 mod rounding;
 mod section;
+mod segment_tree;
 mod subdivision;
 #[cfg(test)]
 mod tests;
@@ -150,8 +151,8 @@ impl Network {
     /// kept.
     ///
     /// # Errors
-    /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, or if the lines cross
-    /// millions of times.
+    /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, if the lines cross
+    /// millions of times, or if their borders have more than ten million edges.
     pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
         Network::within(lines, options, conflict::MOST_ATTEMPTS)
     }

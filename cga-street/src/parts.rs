@@ -6,7 +6,7 @@ use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
 use super::mesh::{StreetFace, mesh};
 use super::pieces::{Chart, JunctionDraft, Plot, StreetPieces};
 use super::subdivision::{NONE, Subdivision};
-use super::{Kind, MOST_CROSSINGS, NetworkPart, Side, StreetError};
+use super::{Kind, NetworkPart, Side, StreetError};
 use cga_geometry::disjoint::DisjointSets;
 use cga_geometry::each::Each;
 use cga_geometry::small_sort::SmallSort;
@@ -17,7 +17,7 @@ const STRAIGHT_ON: f64 = 30.0;
 /// The parts of a network.
 pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<NetworkPart>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
-    let faces = Subdivision::new(&rings, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
+    let faces = Subdivision::new(&rings)?;
     let owners = owners(pieces, &faces);
     let mut loops: Vec<Vec<Vec<Point>>> = vec![Vec::new(); pieces.list.len()];
     for (owner, ring) in faces.outlines(&owners) {

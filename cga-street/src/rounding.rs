@@ -3,11 +3,12 @@
 //! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is routed through
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
-use super::grid::{Point, SegmentGrid, are_apart, dot, orient};
+use super::grid::{Point, are_apart, dot, orient};
+use super::segment_tree::SegmentTree;
 use cga_geometry::small_sort::SmallSort;
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
-/// more than `most` crossings.
+/// more than `most` crossings, or if very many segments lie near each other.
 pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
     let mut chains = round(segments, &crossings(segments, most)?);
     // Rounding errors of crossings may leave edges that still meet. This is rare, and one more round usually repairs
@@ -44,20 +45,24 @@ fn sorted(edge: &[Point]) -> [Point; 2] {
     [edge[0].min(edge[1]), edge[0].max(edge[1])]
 }
 
-/// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`.
+/// The limit on comparisons of segments for each crossing that is allowed.
+const COMPARISONS: usize = 128;
+
+/// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`, or if very
+/// many segments lie near each other.
 fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
-    let buckets = SegmentGrid::of_segments(segments);
-    let mut found = Vec::new();
-    for list in buckets.lists() {
-        for (at, &first) in list.iter().enumerate() {
-            for &second in &list[at + 1..] {
-                if let Some(point) = crossing(segments[first as usize], segments[second as usize]) {
-                    found.extend([(first, point), (second, point)]);
-                }
+    let tree = SegmentTree::of(segments.iter().copied());
+    let (mut found, mut compared) = (Vec::new(), 0);
+    for (second, &segment) in (0..).zip(segments) {
+        compared += tree.near(segment, 0, |first| {
+            if first < second
+                && let Some(point) = crossing(segments[first as usize], segment)
+            {
+                found.extend([(first, point), (second, point)]);
             }
-            if 8 * most < found.len() {
-                return None;
-            }
+        });
+        if 8 * most < found.len() || COMPARISONS * most < compared {
+            return None;
         }
     }
     found.sort_unstable();
@@ -70,16 +75,13 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
     hot.small_sort();
     hot.dedup();
-    let mut pixels = SegmentGrid::for_segments(segments);
-    for (number, &point) in hot.iter().enumerate() {
-        pixels.add_point(point, number as u32);
-    }
+    let pixels = SegmentTree::of(hot.iter().map(|point| [*point; 2]));
     let chain = |(number, &segment): (usize, &[Point; 2])| {
         let [a, b] = segment;
         let from = crossings.partition_point(|one| (one.0 as usize) < number);
         let own = crossings[from..].iter().take_while(|one| one.0 as usize == number);
         let mut chain: Vec<Point> = own.map(|one| one.1).collect();
-        pixels.near_segment(segment, 2, |number| {
+        pixels.near(segment, 2, |number| {
             if passes(segment, hot[number as usize]) {
                 chain.push(hot[number as usize]);
             }

@@ -2,9 +2,18 @@
 
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
+use super::{MOST_CROSSINGS, StreetError};
 use cga_geometry::disjoint::DisjointSets;
 use cga_geometry::each::Each;
 use cga_geometry::small_sort::SmallSort;
+
+/// The limit on the edges of all polygons, which bounds memory: an edge takes about 400 bytes.
+const MOST_EDGES: usize = 10_000_000;
+
+/// An error if polygons have more edges than a subdivision may have.
+pub(super) fn check_edges(count: usize) -> Result<(), StreetError> {
+    if MOST_EDGES < count { Err(StreetError::TooLarge { most: MOST_EDGES }) } else { Ok(()) }
+}
 
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
@@ -26,15 +35,16 @@ pub(super) struct Subdivision {
 type Change = (u32, i32);
 
 impl Subdivision {
-    /// Divides the plane by counter-clockwise polygons, which may overlap. `None` if their edges cross more than `most`
-    /// times.
-    pub(super) fn new(polygons: &[Vec<Point>], most: usize) -> Option<Self> {
+    /// Divides the plane by counter-clockwise polygons, which may overlap. An error if they have too many edges, or if these cross too
+    /// often.
+    pub(super) fn new(polygons: &[Vec<Point>]) -> Result<Self, StreetError> {
+        check_edges(polygons.iter().map(Vec::len).sum())?;
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
         let mut segments: Vec<[Point; 2]> =
             polygons.iter().flat_map(|ring| sides(ring)).filter(|[a, b]| a != b).map(sorted).collect();
         segments.sort_unstable();
         segments.dedup();
-        let chains = divide(&segments, most)?;
+        let chains = divide(&segments, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
         let mut points: Vec<Point> = chains.iter().flatten().copied().collect();
         points.sort_unstable();
         points.dedup();
@@ -70,7 +80,7 @@ impl Subdivision {
         let (cycle, first) = cycles(&next);
         let mut made = Subdivision { points, origin, next, cycle, first, covers: Vec::new() };
         made.cover(polygons, &changes);
-        Some(made)
+        Ok(made)
     }
 
     /// The points of a cycle.
