@@ -240,20 +240,19 @@ fn coordinates(set: usize, a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: 
 /// The rounding of the coordinates of each corner: the rounding of its position in the world, four bits of the largest coordinate, times
 /// the change of texture coordinates for a metre along the edges at the corner.
 fn rounding(mesh: &Mesh, set: usize, placement: &DAffine3) -> Vec<f64> {
-    let uvs = mesh.uv_set(set);
+    let mut uvs = mesh.uv_set(set).iter();
     let mut list = Vec::with_capacity(uvs.len());
     for ring in mesh.faces().flat_map(|face| face.loops().map(<[u32]>::to_vec).collect::<Vec<_>>()) {
-        let points: Vec<DVec3> =
-            ring.iter().map(|point| placement.transform_point3(mesh.points()[*point as usize])).collect();
-        let (first, count) = (list.len(), ring.len());
-        let slope = |at: usize, next: usize| {
-            let metres = points[at].distance(points[next]);
-            let change = (uvs[first + at] - uvs[first + next]).abs().max_element();
-            if metres == 0.0 { 0.0 } else { change / metres }
+        let place = |point: u32| placement.transform_point3(mesh.points()[point as usize]);
+        let corners: Vec<(DVec3, DVec2)> = ring.into_iter().map(place).zip(uvs.by_ref().copied()).collect();
+        let slope = |(point, uv): (DVec3, DVec2), (next, other): (DVec3, DVec2)| {
+            let metres = point.distance(next);
+            if metres == 0.0 { 0.0 } else { (uv - other).abs().max_element() / metres }
         };
-        for at in 0..count {
-            let steepest = slope(at, (at + 1) % count).max(slope(at, (at + count - 1) % count));
-            list.push(4.0 * f64::EPSILON * points[at].abs().max_element() * steepest);
+        for (at, corner) in corners.iter().enumerate() {
+            let [next, last] = [1, corners.len() - 1].map(|step| corners[(at + step) % corners.len()]);
+            let steepest = slope(*corner, next).max(slope(*corner, last));
+            list.push(4.0 * f64::EPSILON * corner.0.abs().max_element() * steepest);
         }
     }
     list
