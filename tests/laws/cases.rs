@@ -245,3 +245,42 @@ fn faces_that_are_thinner_than_rounding_are_no_difference() {
     assert!(found.is_some_and(|text| text.contains("the number of faces: 1 and 2")));
     assert!(difference(&run(1e-15), &turned, Tolerance { length: 1e-9 }).is_some());
 }
+
+cga! {
+    grammar Edited;
+    Lot  --> extrude(0.8828) comp(f) { side : Wall }
+    Wall --> modify(f, noAlign) { top = r(scopeCenter, 0, 0, 10) X. } primitiveDisk(6) Disk.
+}
+
+/// The parts that `modify` joins are flat except for rounding.
+#[test]
+fn rounding_does_not_choose_the_plane_of_a_primitive() {
+    for (width, depth) in [(0.0626, 0.0499), (0.0543, 0.0638), (12.7, 4.3), (0.0391, 52.7)] {
+        let shape = lot(width, depth);
+        for shape in [shape.clone(), shape.held_as_meshes()] {
+            let run = outcome(&Edited::default(), &Settings::default(), &shape);
+            let sizes: Vec<_> = run.model.leaves().map(|leaf| leaf.scope().size).collect();
+            assert_eq!(sizes.len(), 4);
+            assert!(sizes.iter().all(|size| size.z == 0.0 && 0.8 < size.y), "{sizes:?}");
+        }
+    }
+}
+
+cga! {
+    grammar Textured;
+    attr more = 0
+    Lot --> setupProjection(0, scope.xy, ^1, ^1) projectUV(0) translateUV(0, more, 0) X.
+}
+
+/// A strip of a micrometre, a hundred metres from the origin: its coordinates have the rounding of its place.
+#[test]
+fn coordinates_differ_by_the_rounding_of_positions_alone() {
+    let run = |width: f64, more: f64| {
+        let shape = Shape::rectangle(width, 1.0).at([117.3, 0.0, 0.0]);
+        outcome(&Textured { more }, &Settings::default(), &shape)
+    };
+    let compared = |width: f64, more: f64| difference(&run(width, 0.0), &run(width, more), Tolerance { length: 1e-9 });
+    assert_eq!(compared(1e-6, 1e-8), None);
+    assert!(compared(1e-6, 2e-7).is_some_and(|text| text.contains("the coordinates in set 0")));
+    assert!(compared(1.0, 1e-8).is_some_and(|text| text.contains("the coordinates in set 0")));
+}

@@ -1,6 +1,6 @@
 //! The comparison of two runs.
 
-use cga::glam::{DVec2, DVec3};
+use cga::glam::{DAffine3, DVec2, DVec3};
 use cga::mesh::{FaceRef, FaceTag};
 use cga::{Collection, Fault, LeafView, Mesh, Model, Report, Scope};
 
@@ -182,7 +182,7 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
         .or_else(|| tolerance.materials(&format!("{:?}", a.material()), &format!("{:?}", b.material())))
         .or_else(|| scope(&a.scope(), &b.scope(), tolerance))
         .or_else(|| {
-            let found = faces(&mesh, &other, tolerance).or_else(points)?;
+            let found = faces(&mesh, &other, &placement, tolerance).or_else(points)?;
             // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not.
             let [mesh, other] = [mesh.map(&placement), other.map(&place)];
             (!differs_in_thin_faces(&mesh, &other, tolerance)).then_some(found)
@@ -222,17 +222,44 @@ fn is_thin(face: &FaceRef<'_>, tolerance: Tolerance) -> bool {
 }
 
 /// Compares the coordinates of a set at all corners; lists are as long as each other or empty.
-fn coordinates(set: usize, a: &[DVec2], b: &[DVec2], tolerance: Tolerance) -> Difference {
+fn coordinates(set: usize, a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: Tolerance) -> Difference {
+    let (mesh, a, b) = (a, a.uv_set(set), b.uv_set(set));
     let far = a.iter().chain(b).map(|uv| uv.abs().max_element()).fold(1.0, f64::max);
-    let close = |a: DVec2, b: DVec2| a == b || (a - b).abs().max_element() <= tolerance.length.max(1e-9 * far);
+    let close = |a: DVec2, b: DVec2, room: f64| a == b || (a - b).abs().max_element() <= room;
     same(&format!("the number of coordinates in set {set}"), &a.len(), &b.len()).or_else(|| {
-        let at = a.iter().zip(b).position(|(a, b)| !close(*a, *b))?;
+        let most = tolerance.length.max(1e-9 * far);
+        let differs = |at: &usize| !close(a[*at], b[*at], most);
+        // Only a few meshes need the room that rounding takes.
+        let found = (0..a.len()).find(differs)?;
+        let room = rounding(mesh, set, placement);
+        let at = (found..a.len()).find(|at| differs(at) && !close(a[*at], b[*at], most.max(room[*at])))?;
         Some(format!("the coordinates in set {set} of corner {at}: {} and {}", a[at], b[at]))
     })
 }
 
-/// Everything about two meshes but positions.
-fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
+/// The rounding of the coordinates of each corner: the rounding of its position in the world, four bits of the largest coordinate, times
+/// the change of texture coordinates for a metre along the edges at the corner.
+fn rounding(mesh: &Mesh, set: usize, placement: &DAffine3) -> Vec<f64> {
+    let mut uvs = mesh.uv_set(set).iter();
+    let mut list = Vec::with_capacity(uvs.len());
+    for ring in mesh.faces().flat_map(|face| face.loops().map(<[u32]>::to_vec).collect::<Vec<_>>()) {
+        let place = |point: u32| placement.transform_point3(mesh.points()[point as usize]);
+        let corners: Vec<(DVec3, DVec2)> = ring.into_iter().map(place).zip(uvs.by_ref().copied()).collect();
+        let slope = |(point, uv): (DVec3, DVec2), (next, other): (DVec3, DVec2)| {
+            let metres = point.distance(next);
+            if metres == 0.0 { 0.0 } else { (uv - other).abs().max_element() / metres }
+        };
+        for (at, corner) in corners.iter().enumerate() {
+            let [next, last] = [1, corners.len() - 1].map(|step| corners[(at + step) % corners.len()]);
+            let steepest = slope(*corner, next).max(slope(*corner, last));
+            list.push(4.0 * f64::EPSILON * corner.0.abs().max_element() * steepest);
+        }
+    }
+    list
+}
+
+/// Everything about two meshes but positions. The placement is of the first.
+fn faces(a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: Tolerance) -> Difference {
     let loops =
         |mesh: &Mesh| mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>();
     let list = |mesh: &Mesh, what: fn(&Mesh, FaceTag) -> String| {
@@ -249,6 +276,6 @@ fn faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> Difference {
         .or_else(|| by_name("the tags", |mesh, tag| format!("{:?}", mesh.tag_sets().get(tag.tags as usize))))
         .or_else(|| by_name("the groups", |mesh, tag| format!("{:?}", mesh.groups().get(tag.group as usize))))
         .or_else(|| tolerance.materials(&materials(a), &materials(b)))
-        .or_else(|| (0..10).find_map(|set| coordinates(set, a.uv_set(set), b.uv_set(set), tolerance)))
+        .or_else(|| (0..10).find_map(|set| coordinates(set, a, b, placement, tolerance)))
         .or_else(|| same("whether there are normals", &a.normals().is_empty(), &b.normals().is_empty()))
 }

@@ -45,6 +45,11 @@ impl Sink for Few {
         self.model.mesh(leaf, mesh, placement)?;
         self.go_on()
     }
+
+    fn placement(&mut self, leaf: &Leaf<'_>) -> Flow {
+        self.model.placement(leaf)?;
+        self.go_on()
+    }
 }
 
 /// Counts the leaves that come from templates.

@@ -27,6 +27,7 @@ mod played;
 #[path = "../../cga-lang/tests/front/common/random.rs"]
 mod random;
 mod repeated;
+mod rows;
 mod start;
 mod write;
 

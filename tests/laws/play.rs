@@ -1,11 +1,10 @@
 //! Runs of grammars by all laws, and their differences.
 
-use crate::host::Make;
 use crate::laws::{Case, LAWS};
 use crate::random::Random;
 use crate::start;
 use crate::write::prints_much;
-use cga::{Limits, Settings, Shape};
+use cga::{Grammar, Limits, Settings, Shape};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -36,16 +35,16 @@ pub(crate) struct Counts {
 type Example = (usize, String);
 
 /// Plays grammars, each with its seed, and counts.
-pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
+pub(crate) fn play<M: Fn() -> Box<dyn Grammar + Sync>>(grammars: &[(u64, M)]) -> Counts {
     let mut counts = Counts::default();
     for (seed, make) in grammars {
         let began = std::time::Instant::now();
         counts.grammars += 1;
         let mut broken = false;
         for number in 0..if prints_much(*seed) { RUNS.div_ceil(4) } else { RUNS } {
-            for text in laws(*seed, *make, number, &mut counts) {
+            for text in laws(*seed, make, number, &mut counts) {
                 let (kind, far) = kind(&text);
-                if std::env::var_os("CGA_GRAMMARS").is_some() && (!broken || !counts.kinds.contains_key(&kind)) {
+                if tells() && (!broken || !counts.kinds.contains_key(&kind)) {
                     println!("seed {seed}: {text}");
                 }
                 let known = counts.kinds.entry(kind).or_insert((0, (usize::MAX, String::new())));
@@ -57,7 +56,7 @@ pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
             }
         }
         counts.broken += usize::from(broken);
-        if std::env::var_os("CGA_GRAMMARS").is_some() {
+        if tells() {
             println!(
                 "seed {seed}: {} ms, {} replayed{}",
                 began.elapsed().as_millis(),
@@ -67,6 +66,11 @@ pub(crate) fn play(grammars: &[(u64, Make)]) -> Counts {
         }
     }
     counts
+}
+
+/// Returns true if each grammar is told when it is done.
+fn tells() -> bool {
+    std::env::var_os("CGA_GRAMMARS").is_some()
 }
 
 /// The kind of a difference, and the first number in its text: how far from the start it is.
@@ -80,7 +84,7 @@ fn kind(text: &str) -> (String, usize) {
 }
 
 /// Compares runs by all laws; tells what differs.
-fn laws(seed: u64, make: Make, number: u64, counts: &mut Counts) -> Vec<String> {
+fn laws(seed: u64, make: &dyn Fn() -> Box<dyn Grammar + Sync>, number: u64, counts: &mut Counts) -> Vec<String> {
     let mut random = Random(seed << 32 | number);
     let mut grammar = make();
     let attributes = start::attributes(&mut *grammar, &mut random);

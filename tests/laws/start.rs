@@ -1,7 +1,7 @@
 //! Random start shapes and attributes, and the assets.
 
 use crate::random::Random;
-use cga::{Assets, Grammar, MeshBuilder, Shape, Value};
+use cga::{Assets, Grammar, Mesh, MeshBuilder, Shape, Value};
 use std::sync::Arc;
 
 /// Distances from the origin.
@@ -59,15 +59,33 @@ fn lot(a: f64, b: f64, random: &mut Random) -> (String, Shape) {
         text += &format!(".streets({widths:?})");
         shape = shape.streets(widths);
     }
+    if random.below(3) == 0 {
+        let uses = [0; 4].map(|_| *random.pick(&["street", "garden", "mark"]));
+        text += &format!(".edge_attribute(\"tag\", {uses:?})");
+        shape = shape.edge_attribute("tag", uses);
+    }
     (text, shape)
 }
 
-/// Assets that grammars insert.
+/// Assets that grammars insert: a tetrahedron, and a box with an edge that is cut off by 0.7 mm.
 pub(crate) fn assets() -> Arc<Assets> {
+    let tree = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, 1.0, 0.7]];
+    let tree = solid(&tree, &[&[0, 1, 2], &[1, 3, 2], &[3, 0, 2], &[1, 0, 3]]);
+    // Seen from the front, and the same corners at the back.
+    let front = [[0.0, 0.0], [1.3, 0.0], [1.3, 0.9995], [1.2995, 1.0], [0.0, 1.0]];
+    let corners: Vec<[f64; 3]> = [1.0, 0.0].iter().flat_map(|z| front.map(|[x, y]| [x, y, *z])).collect();
+    let sides = [[0, 5, 6, 1], [1, 6, 7, 2], [2, 7, 8, 3], [3, 8, 9, 4], [4, 9, 5, 0]];
+    let mut faces: Vec<&[usize]> = vec![&[0, 1, 2, 3, 4], &[9, 8, 7, 6, 5]];
+    faces.extend(sides.iter().map(|side| &side[..]));
+    Arc::new(Assets::new().with("tree", tree).with("rough", solid(&corners, &faces)))
+}
+
+/// The mesh of some corners and faces.
+fn solid(corners: &[[f64; 3]], faces: &[&[usize]]) -> Mesh {
     let mut builder = MeshBuilder::new();
-    let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 2.0, 0.0], [0.5, 1.0, 0.7]].map(|point| builder.point(point));
-    for face in [[0, 1, 2], [1, 3, 2], [3, 0, 2], [1, 0, 3]] {
-        builder.polygon(&face.map(|at| points[at]));
+    let points: Vec<_> = corners.iter().map(|point| builder.point(*point)).collect();
+    for face in faces {
+        builder.polygon(&face.iter().map(|at| points[*at]).collect::<Vec<_>>());
     }
-    Arc::new(Assets::new().with("tree", builder.build().expect("a mesh")))
+    builder.build().expect("a mesh")
 }

@@ -51,7 +51,7 @@ impl Writer {
             0..6 if 0 < here.depth => self.split(here),
             6..12 if 0 < here.depth => self.comp(here),
             12 if 0 < here.depth => self.areas(here),
-            17 if 0 < here.depth => self.setback(here),
+            20 if 0 < here.depth => self.setback(here),
             13 | 14 if 0 < here.depth => {
                 self.line(here, "[");
                 self.body(here.deeper());
@@ -165,14 +165,14 @@ impl Writer {
     }
 
     fn comp(&mut self, here: Here) {
-        let kind = *self.random.pick(&["f", "f", "f", "f", "f", "e", "fe", "fe", "v", "fv", "g", "m"]);
+        let kind = *self.random.pick(&["f", "f", "f", "f", "f", "e", "fe", "fe", "v", "fv", "g", "m", "h"]);
         let align = *self.random.pick(&["", "", ", zUp", ", noAlign"]);
         let head = self.fill(&[&format!("comp({kind}{align})")]);
         self.line(here, &format!("{head} {{"));
         for arm in 0..1 + self.random.below(4) {
             let bar = if arm == 0 { " " } else { "|" };
             let selector = match kind {
-                "g" | "m" => (*self.random.pick(&["all", "0", "$F"])).replace("$F", "front"),
+                "g" | "m" | "h" => (*self.random.pick(&["all", "0", "$F"])).replace("$F", "front"),
                 _ => self.fill(SELECTORS),
             };
             let joined = *self.random.pick(&[":", ":", ":", "=", "=:"]);

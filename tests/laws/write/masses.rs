@@ -25,6 +25,11 @@ pub(super) const MASSES: &[&str] = &[
     "envelope(normal, 5.13, c, $Z, 0, 90, b, $Z)",
     "envelope(world.up, a, 0.3, $Z, 0.4, $Z, 0.5, $Z, 0.6, $Z)",
     "envelope(normal, 6.17, [b, 0.7, c], [$Z, 90, $Z])",
+    "envelope(world.up, 8.13, b, $Z)",
+    "envelope(7.31, c, $Z)",
+    "envelope(7.31, b, $Z, c, $Z)",
+    "envelope(5.13, c, $Z, 0, 90, b, $Z)",
+    "envelope(a, 0.3, $Z, 0.4, $Z, 0.5, $Z, 0.6, $Z)",
     "footprint()",
     "footprint()",
     "innerRect()",
@@ -40,6 +45,12 @@ const SETBACKS: &[&str] = &[
     "setbackToArea(geometry.area * 0.6173)",
     "setbackToArea(geometry.area * 0.8171, [0.1, 0.2])",
     "setbackToArea($N, [0.1], [0.3, 0.2, 0.3, 0.4])",
+    "setback($M, 1)",
+    "setback([$M, 0, $M], 0)",
+    "setbackPerEdge($M, 0)",
+    "setbackToArea($N, 1)",
+    "setbackToArea($N, [0.1], 0)",
+    "setbackToArea($N, [0.1], [0.3, 0.2, 0.3, 0.4], 1)",
 ];
 
 /// Selectors of edges in setbacks.
@@ -107,6 +118,24 @@ const CHANGES: &[&str] = &[
     "color(c, 0, 0)",
     "NIL",
 ];
+
+/// Boolean operations with the rule [`TOOL`].
+const BOOLEANS: &[&str] = &[
+    "union { X. | Tool }",
+    "subtract { X. | Tool }",
+    "subtract { Tool | X. }",
+    "intersect { X. | Tool }",
+    "union Tool",
+    "subtract Tool",
+    "subtract(swap) Tool",
+    "intersect Tool",
+];
+
+/// An operand of boolean operations. Its faces are in the planes of no other ones.
+pub(super) const TOOL: &str = "
+Tool -->
+    s('0.6173, '1.1317, '0.7131) t('0.2137, '(-0.0713), '0.1317) rotateScope(7.31, 17.31, 13.71) primitiveCube() Tooled.
+";
 
 impl Writer {
     /// A division of faces. `part` writes the steps of a part.
@@ -183,7 +212,17 @@ impl Writer {
             }
             return self.line(here, "}");
         }
-        let head = *self.random.pick(&["inline {", "inline(append) {", "inline(recompose) {", "inline(recompose) {"]);
+        if self.chance(30) {
+            let step = *self.random.pick(BOOLEANS);
+            return self.line(here, step);
+        }
+        let head = *self.random.pick(&[
+            "inline {",
+            "inline(append) {",
+            "inline(unify) {",
+            "inline(recompose) {",
+            "inline(recompose) {",
+        ]);
         self.line(here, head);
         part(self, here.deeper());
         self.line(here, "}");

@@ -24,4 +24,5 @@ pub(super) const MESHES: &[&str] = &[
     "setNormals(conform)",
     "softenNormals(61.3)",
     "softenNormals(101.7)",
+    "deleteHoles()",
 ];

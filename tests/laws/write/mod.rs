@@ -50,6 +50,7 @@ pub(crate) fn write(seed: u64) -> String {
     let mut writer = Writer { random: Random(seed), text: format!("// Seed {seed}.\n"), mark: 1 };
     if prints_much(seed) {
         writer.text.push_str(prologue::TEXT);
+        writer.text.push_str(masses::TOOL);
         writer.rules();
     } else {
         writer.repeats();

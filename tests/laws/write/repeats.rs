@@ -2,7 +2,7 @@
 //!
 //! Rules print and report little, so that most parts are derived from templates.
 
-use super::masses::MASSES;
+use super::masses::{MASSES, TOOL};
 use super::meshes::MESHES;
 use super::{Here, Writer};
 
@@ -116,6 +116,7 @@ impl Writer {
     pub(super) fn repeats(&mut self) {
         let lucky = *self.random.pick(&["3", "rand(1, 9)", "floor(initialShape.origin.px)", "a + 1"]);
         self.text.push_str(&TEXT.replace("$K", lucky));
+        self.text.push_str(TOOL);
         let here = Here { rule: 0, depth: 3, indent: 1 };
         self.text.push_str("\n@StartRule\nLot -->\n");
         if self.chance(50) {

@@ -67,6 +67,37 @@ const STEPS: &[&str] = &[
     "tag(\"mark.$X\", $m)",
     "deleteTags(\"$J\")",
     "deleteTags(\"$J\", $z)",
+    "deleteTags()",
+    "setTagsFromEdgeAttrs()",
+    "extrude($X, $D)",
+    "extrude(world.x, $D)",
+    "i(\"rough\")",
+    "i(\"rough\", zUp)",
+    "i(\"rough\", yUp, keepSizeAndPosition)",
+    "i(\"rough\", zUp, keepSizeAlignPosition, noCleanup)",
+    "alignScopeToGeometry($U, $I)",
+    "alignScopeToGeometry($U, auto)",
+    "color(0.2, c, 0.7, 0.5)",
+    "opacity(0.7)",
+    "setMaterial([\"color.r\", \"0.5\", \"opacity\", \"0.7\"])",
+    "resetMaterial()",
+    "resetMaterial(all)",
+    "label(\"here\")",
+    "resetGeometry()",
+];
+
+/// Primitives with few sides, so that what follows takes little time.
+const ROUND: &[&str] = &[
+    "primitiveDisk(7)",
+    "primitiveDisk(6, b)",
+    "primitiveSphere(5, 4)",
+    "primitiveSphere(6, 3, b)",
+    "primitiveCylinder(7)",
+    "primitiveCylinder(5, b, a)",
+    "primitiveCone(6)",
+    "primitiveCone(5, b, a)",
+    "primitiveSphere()",
+    "primitiveCylinder()",
 ];
 
 /// Reports.
@@ -92,6 +123,7 @@ impl Writer {
             let list = match self.random.below(100) {
                 0..12 => MASSES,
                 12..20 => MESHES,
+                20..24 => ROUND,
                 _ => STEPS,
             };
             let step = self.fill(list);

@@ -14,6 +14,8 @@ const PROJECTIONS: &[&str] = &[
     "setupProjection(?, $J, $M, $M, -1.3, 2.1)",
     "setupProjection(?, $J, $M, $M)",
     "setupProjection(?, scope.xy, $M, $M)",
+    "setupProjection(?, scope.xy, 1.5, 1, 1) bakeUV(?)",
+    "setupUV(?, 1.713, 1.3, 1) projectUV(?)",
 ];
 
 /// Operations that change coordinates.
@@ -33,6 +35,20 @@ const CHANGES: &[&str] = &[
     "primitiveQuad()",
     "primitiveCylinder(5)",
     "texture(\"wall.png\")",
+    "offsetUV(?, 0.317, -0.21)",
+    "insertAlongUV(?, \"tree\", 0.317)",
+    "insertAlongUV(?, \"rough\", a, vertex.normal, keepPosition)",
+];
+
+/// Copies of an asset along coordinates. The ranges end at whole numbers up to rounding, or well between them.
+const ALONG: &[&str] = &[
+    "setupProjection(?, scope.xy, ~1.3, '1) projectUV(?) insertAlongUV(?, \"tree\", 0.317)",
+    "setupProjection(?, scope.xy, ~2, ~1.7) projectUV(?) insertAlongUV(?, \"rough\", 0.217, vertex.normal, $K)",
+    "setupProjection(?, $J, '0.371, '0.713) projectUV(?) insertAlongUV(?, \"rough\", a, scope.y, $K)",
+    "projectUV(?) normalizeUV(?, $H, collectiveAllFaces) insertAlongUV(?, \"rough\", 0.417, scope.y, $K)",
+    "projectUV(?) normalizeUV(?, uv, separatePerFace) insertAlongUV(?, \"tree\", 0.171, vertex.normal, $K)",
+    "projectUV(?) tileUV(?, ~1.7, ~1.3) insertAlongUV(?, \"builtin:cube\", 0.317, vertex.normal, $K)",
+    "scaleUV(?, 2.3, 1.7) insertAlongUV(?, \"tree\", 0.5)",
 ];
 
 /// Conditions on coordinates, away from the values that are common.
@@ -72,6 +88,7 @@ impl Writer {
             "M" => &["1", "1.713", "-0.917", "~1.3", "~2", "'1", "'0.371", "'(-0.7)", "0", "a", "~b"],
             "A" => &["90", "180", "17.31", "a * 7", "-90"],
             "H" => &["uv", "uvUniform", "u", "v"],
+            "K" => &["alignPosition", "keepPosition"],
             "Z" => &["0", "1", "2", "9"],
             other => unreachable!("no values of kind {other}"),
         };
@@ -85,6 +102,7 @@ impl Writer {
             0..3 if 2 < here.rule => self.of_set(&["projectUV(?)"]),
             0..6 => self.of_set(PROJECTIONS),
             6 | 7 if 2 < here.rule => self.of_set(&CHANGES[..8]),
+            8 if self.chance(50) => self.of_set(ALONG),
             _ => self.of_set(CHANGES),
         };
         self.line(here, &step);

@@ -7,14 +7,24 @@ use glam::DVec3;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{Mesh, Variant};
+use crate::geometry::tol::PLANAR_EPSILON;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
+
+/// The axes along which a shape has no size. A size that is only rounding, relative to the largest, is set to zero, so that rounding
+/// does not choose the form of what is inserted.
+pub(in crate::op) fn flat_axes(shape: &mut Shape) -> [bool; 3] {
+    let size = &mut shape.scope.size;
+    let flat = size.abs().cmple(DVec3::splat(PLANAR_EPSILON * size.abs().max_element()));
+    *size = DVec3::select(flat, DVec3::ZERO, *size);
+    flat.into()
+}
 
 /// Sets the scope for geometry with that low corner and size (*i operation*, zero sizes). With three sizes the
 /// geometry is fitted to them; sizes that are zero follow from the others.
 pub(in crate::op) fn fit(shape: &mut Shape, low: DVec3, size: DVec3) {
+    let zero = flat_axes(shape);
     let scope = &mut shape.scope;
-    let zero: [bool; 3] = scope.size.cmpeq(DVec3::ZERO).into();
     // A flat asset has no scale along its flat axis.
     let scale = |axis: usize| if size[axis] == 0.0 { 0.0 } else { scope.size[axis] / size[axis] };
     match zero.iter().filter(|zero| **zero).count() {

@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::fault::FaultKind;
 use crate::geometry::Axis;
 use crate::geometry::primitive::PrimitiveKind;
-use crate::op::create::insert_fit::{centre, face_outwards, fit, put};
+use crate::op::create::insert_fit::{centre, face_outwards, fit, flat_axes, put};
 use crate::op::settle;
 use crate::run::env::Env;
 use crate::shape::texture::UvSource;
@@ -137,9 +137,8 @@ pub fn quad_sized(env: &mut Env, shape: &mut Shape, width: f64, length: f64) {
 }
 
 /// The only axis along which the scope has no size, otherwise y.
-fn across(shape: &Shape) -> Axis {
-    let flat: [bool; 3] = shape.scope.size.cmpeq(DVec3::ZERO).into();
-    match flat {
+fn across(shape: &mut Shape) -> Axis {
+    match flat_axes(shape) {
         [true, false, false] => Axis::X,
         [false, false, true] => Axis::Z,
         _ => Axis::Y,
@@ -332,6 +331,29 @@ mod tests {
         let shape = &mut sized(0.0, 0.0, 0.0);
         disk(&mut Env::for_tests(), shape, 16.0);
         assert_eq!(shape.scope.size.to_array(), [1.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn a_size_that_is_zero_except_for_rounding_counts_as_zero() {
+        let flat: [Fill; 4] = [
+            quad,
+            |env, shape| quad_sized(env, shape, 10.0, 20.0),
+            |env, shape| disk(env, shape, 6.0),
+            |env, shape| disk_sized(env, shape, 6.0, 8.0),
+        ];
+        for axis in 0..3 {
+            let size = |rounding: f64| [0, 1, 2].map(|other| if other == axis { rounding } else { 3.0 });
+            for fill in SOLID.into_iter().chain(flat) {
+                let [exact, plus, minus] = [0.0, 7e-16, -3e-10].map(|rounding| {
+                    let [x, y, z] = size(rounding);
+                    let mut shape = sized(x, y, z);
+                    fill(&mut Env::for_tests(), &mut shape);
+                    (shape.scope, shape.to_mesh().points().to_vec())
+                });
+                assert_eq!(exact, plus);
+                assert_eq!(exact, minus);
+            }
+        }
     }
 
     #[test]
