@@ -126,9 +126,11 @@ fn least_measure(a: &Bounds, b: &Bounds) -> f64 {
     (a.distance(b) - ROUNDING * far).max(0.0)
 }
 
-/// Returns true if two boxes have a common point.
+/// Returns true if two boxes have a common point. Most boxes are apart along the first axis that is compared.
+#[inline]
 pub(crate) fn overlap(a: &Bounds, b: &Bounds) -> bool {
-    a.low.cmple(b.high).all() && b.low.cmple(a.high).all()
+    let meet = |axis: usize| a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis];
+    meet(0) && meet(2) && meet(1)
 }
 
 /// Returns true if a ray meets a box. `inverse` are the reciprocals of the ray's direction, which has no component zero.

@@ -114,6 +114,7 @@ impl Cuboid {
     }
 
     /// The box along the axes of the world around it.
+    #[inline]
     pub(super) fn bounds(&self) -> Bounds {
         let DMat3 { x_axis, y_axis, z_axis } = self.axes;
         let half = x_axis.abs() * self.half.x + y_axis.abs() * self.half.y + z_axis.abs() * self.half.z;

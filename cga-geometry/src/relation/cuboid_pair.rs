@@ -20,20 +20,22 @@ const SKEW: f64 = 1e-12;
 const PARALLEL: f64 = 0.5;
 
 /// The relation of a box or a rectangle to a box.
+#[inline]
 pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wanted: Relation) -> Relation {
     let inverse = occluder.axes.transpose();
+    let axes = inverse * geometry.axes;
+    let sizes = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
     let pair = Pair {
         centre: inverse * (geometry.centre - occluder.centre),
-        axes: inverse * geometry.axes,
+        axes,
+        sizes,
         half: geometry.half,
+        reach: sizes * geometry.half,
         outer: occluder.half,
         tolerance,
     };
-    let reach = pair.aligned_reach();
-    let Some(depth) = (match reach {
-        Some(reach) => pair.aligned_depth(reach),
-        None => pair.depth(),
-    }) else {
+    let is_aligned = pair.is_aligned();
+    let Some(depth) = (if is_aligned { pair.aligned_depth() } else { pair.depth() }) else {
         return Relation::NONE;
     };
     let is_inside = pair.is_inside();
@@ -42,9 +44,10 @@ pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wante
     let contact = wanted.touches
         && !is_inside
         && !overlaps
-        && match reach {
-            Some(reach) => pair.has_aligned_contact(reach, geometry.is_solid()),
-            None => pair.has_contact(geometry.is_solid()),
+        && if is_aligned {
+            pair.has_aligned_contact(geometry.is_solid())
+        } else {
+            pair.has_contact(geometry.is_solid())
         };
     Relation::of(is_inside, overlaps, contact)
 }
@@ -53,36 +56,38 @@ pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wante
 struct Pair {
     centre: DVec3,
     axes: DMat3,
+    /// The sizes of the components of the axes.
+    sizes: DMat3,
     half: DVec3,
+    /// Half of the extents of the geometry along the axes of the occluder.
+    reach: DVec3,
     /// Half of the sides of the occluder.
     outer: DVec3,
     tolerance: f64,
 }
 
 impl Pair {
-    /// Half of the extents of the geometry along the axes of the occluder, if it has the same axes in any order. Most pairs of a building have.
+    /// Returns true if the geometry has the axes of the occluder, in any order. Most pairs of a building have.
     #[inline]
-    fn aligned_reach(&self) -> Option<DVec3> {
-        let DMat3 { x_axis, y_axis, z_axis } = self.axes;
-        let [x, y, z] = [x_axis.abs(), y_axis.abs(), z_axis.abs()];
+    fn is_aligned(&self) -> bool {
         let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
-        (is_axis(x) && is_axis(y) && is_axis(z)).then(|| x * self.half.x + y * self.half.y + z * self.half.z)
+        is_axis(self.sizes.x_axis) && is_axis(self.sizes.y_axis) && is_axis(self.sizes.z_axis)
     }
 
     /// [`depth`](Pair::depth) of a geometry with the same axes.
     #[inline]
-    fn aligned_depth(&self, reach: DVec3) -> Option<f64> {
-        let depth = (self.outer + reach - self.centre.abs()).min_element();
+    fn aligned_depth(&self) -> Option<f64> {
+        let depth = (self.outer + self.reach - self.centre.abs()).min_element();
         (-self.tolerance <= depth).then_some(depth)
     }
 
     /// [`has_contact`](Pair::has_contact) of a geometry with the same axes.
-    fn has_aligned_contact(&self, reach: DVec3, is_solid: bool) -> bool {
-        let Pair { centre, outer, tolerance, axes, .. } = self;
+    fn has_aligned_contact(&self, is_solid: bool) -> bool {
+        let Pair { centre, outer, tolerance, sizes, reach, .. } = self;
         // The part that both have in common, as extents.
-        let common = (*centre + reach).min(*outer) - (*centre - reach).max(-*outer);
+        let common = (*centre + *reach).min(*outer) - (*centre - *reach).max(-*outer);
         (0..3).any(|across| {
-            if !is_solid && axes.z_axis[across].abs() < PARALLEL {
+            if !is_solid && sizes.z_axis[across] < PARALLEL {
                 return false;
             }
             let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
@@ -95,20 +100,18 @@ impl Pair {
     /// The length of the shortest move that separates the two. `None` if they are farther apart than the tolerance.
     #[inline]
     fn depth(&self) -> Option<f64> {
-        let Pair { centre, axes, half, outer, tolerance } = self;
-        let [x, y, z] = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
-        let reach = x.abs() + y.abs() + z.abs();
-        let depths = *outer + reach - centre.abs();
+        let Pair { centre, axes, sizes, half, reach, outer, tolerance } = self;
+        let depths = *outer + *reach - centre.abs();
         let mut depth = depths.min_element();
         if depth < -tolerance {
             return None;
         }
         // Along the axes of the geometry.
-        let sizes = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
         depth = depth.min((*half + sizes.transpose() * *outer - (axes.transpose() * *centre).abs()).min_element());
         if depth < -tolerance {
             return None;
         }
+        let [x, y, z] = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
         for side in [axes.x_axis, axes.y_axis, axes.z_axis] {
             for across in
                 [DVec3::new(0.0, side.z, -side.y), DVec3::new(-side.z, 0.0, side.x), DVec3::new(side.y, -side.x, 0.0)]
@@ -130,9 +133,7 @@ impl Pair {
 
     /// Returns true if no corner is farther outside than the tolerance.
     fn is_inside(&self) -> bool {
-        let Pair { centre, axes, half, outer, tolerance } = self;
-        let reach = axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z;
-        (centre.abs() + reach).cmple(*outer + *tolerance).all()
+        (self.centre.abs() + self.reach).cmple(self.outer + self.tolerance).all()
     }
 
     /// Returns true if a face of the geometry has an area in common with a face of the box.

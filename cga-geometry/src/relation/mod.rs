@@ -52,7 +52,7 @@ mod surface;
 mod surface_pair;
 mod tolerance;
 
-pub use occluders::{Occluder, Occluders};
+pub use occluders::{NearOccluders, Occluder, Occluders};
 pub use query_geometry::QueryGeometry;
 
 /// The answers for a geometry. Whatever is `inside` or `overlaps` also `touches`.
@@ -99,7 +99,8 @@ impl Relation {
     }
 
     /// The answers that do not hold in another relation.
-    pub(crate) const fn without(self, other: Relation) -> Relation {
+    #[must_use]
+    pub const fn without(self, other: Relation) -> Relation {
         Relation {
             inside: self.inside & !other.inside,
             overlaps: self.overlaps & !other.overlaps,

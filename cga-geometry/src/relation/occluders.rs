@@ -163,25 +163,97 @@ impl Occluders {
         wanted: Relation,
         accept: &mut dyn FnMut(u32) -> bool,
     ) -> (Relation, usize) {
-        let mut found = Relation::NONE;
-        if matches!(geometry.form, Form::Nothing) || wanted == Relation::NONE {
-            return (found, 0);
+        let mut search = Search { occluders: self, geometry, reach: self.reach(geometry), wanted, found: Relation::NONE };
+        if search.is_over() {
+            return (search.found, 0);
         }
+        let reach = search.reach;
+        let compared = self.tree.visit(|bounds| overlap(bounds, &reach), |at| search.compare(at, accept));
+        (search.found, compared)
+    }
+
+    /// The box in which all occluders are that a geometry can have a relation to: its own box, wider by the tolerance.
+    #[inline]
+    pub fn reach(&self, geometry: &QueryGeometry<'_>) -> Bounds {
         let margin = largest_tolerance(self.far.max(geometry.far));
-        let wide = Bounds { low: geometry.bounds.low - margin, high: geometry.bounds.high + margin };
-        let compared = self.tree.visit(
-            |bounds| overlap(bounds, &wide),
-            |solid| {
-                if overlap(&self.bounds[solid as usize], &wide) {
-                    let solid = &self.solids[solid as usize];
-                    if accept(solid.number) {
-                        found = found.or(solid.relation(geometry, wanted.without(found)).and(wanted));
-                    }
-                }
-                found != wanted
-            },
-        );
-        (found, compared)
+        Bounds { low: geometry.bounds.low - margin, high: geometry.bounds.high + margin }
+    }
+
+    /// The occluders whose boxes meet a region. `None` if there are more than `most`.
+    ///
+    /// Many queries in one place find them once: [`query_near`](Occluders::query_near).
+    pub fn near(&self, region: &Bounds, most: usize) -> Option<NearOccluders> {
+        let mut list = Vec::new();
+        let collect = |at: u32| {
+            if overlap(&self.bounds[at as usize], region) {
+                list.push(at);
+            }
+            list.len() <= most
+        };
+        self.tree.visit(|bounds| overlap(bounds, region), collect);
+        (list.len() <= most).then_some(NearOccluders(list))
+    }
+
+    /// The answers of [`query`](Occluders::query) for a geometry whose [`reach`](Occluders::reach) is in the region of `near`.
+    #[inline]
+    pub fn query_near(
+        &self,
+        near: &NearOccluders,
+        geometry: &QueryGeometry<'_>,
+        wanted: Relation,
+        accept: &mut dyn FnMut(u32) -> bool,
+    ) -> Relation {
+        let mut search = Search { occluders: self, geometry, reach: self.reach(geometry), wanted, found: Relation::NONE };
+        if !search.is_over() {
+            near.0.iter().all(|at| search.compare(*at, accept));
+        }
+        search.found
+    }
+}
+
+/// Some of the occluders of a list: the ones near a region.
+#[derive(Clone, Debug, Default)]
+pub struct NearOccluders(Vec<u32>);
+
+impl NearOccluders {
+    /// Keeps the occluders whose numbers `keep` accepts.
+    pub fn retain(&mut self, occluders: &Occluders, mut keep: impl FnMut(u32) -> bool) {
+        self.0.retain(|at| occluders.solids.get(*at as usize).is_some_and(|solid| keep(solid.number)));
+    }
+
+    /// Returns true if no occluder is near.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// The comparison of a geometry with occluders.
+struct Search<'s> {
+    occluders: &'s Occluders,
+    geometry: &'s QueryGeometry<'s>,
+    reach: Bounds,
+    wanted: Relation,
+    found: Relation,
+}
+
+impl Search<'_> {
+    /// Returns true if all answers are found before the search.
+    #[inline]
+    fn is_over(&self) -> bool {
+        matches!(self.geometry.form, Form::Nothing) || self.wanted == Relation::NONE
+    }
+
+    /// Compares the geometry with an occluder. Returns true while answers are missing.
+    #[inline]
+    fn compare(&mut self, at: u32, accept: &mut dyn FnMut(u32) -> bool) -> bool {
+        let Occluders { bounds, solids, .. } = self.occluders;
+        let (Some(bounds), Some(solid)) = (bounds.get(at as usize), solids.get(at as usize)) else { return true };
+        if !overlap(bounds, &self.reach) || !accept(solid.number) {
+            return true;
+        }
+        let relation = solid.relation(self.geometry, self.wanted.without(self.found));
+        self.found = self.found.or(relation.and(self.wanted));
+        self.found != self.wanted
     }
 }
 

@@ -212,7 +212,9 @@ fn leaf_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, 
 #[cold]
 #[inline(never)]
 fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
-    env.make_room(1)?;
+    if !env.has_quiet_room(1) {
+        env.make_room(1)?;
+    }
     recorded_symbol(env, sink, shape, rule)
 }
 

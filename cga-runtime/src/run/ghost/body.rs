@@ -26,7 +26,7 @@ pub(super) fn occluder(body: &Body) -> Option<Occluder> {
 
 /// The relation that `ask` finds for the geometry of a shape. A shape of several edges or points is inside if each of them is; it overlaps
 /// or touches if one of them does. A shape without geometry has none.
-pub(crate) fn relation(body: &Body, ask: &mut dyn FnMut(&QueryGeometry<'_>) -> Relation) -> Relation {
+pub(crate) fn relation(body: &Body, mut ask: impl FnMut(&QueryGeometry<'_>) -> Relation) -> Relation {
     let scope = &body.scope;
     match &body.geometry {
         Geometry::Empty => Relation::NONE,
