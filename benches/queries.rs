@@ -92,7 +92,8 @@ fn place(terrace: usize) -> [f64; 3] {
 
 /// The run of the terraces one after the other.
 fn alone(grammar: impl Grammar + 'static, repeats: Repeats) -> Box<dyn FnMut() -> u64> {
-    let terrace = |at: usize| Shape::rectangle(6.0 * HOUSES as f64, 10.0).at(place(at)).seed(at as u64).start("Terrace");
+    let terrace =
+        |at: usize| Shape::rectangle(6.0 * HOUSES as f64, 10.0).at(place(at)).seed(at as u64).start("Terrace");
     let terraces: Vec<Shape> = (0..HOUSES).map(terrace).collect();
     let settings = settings(repeats);
     Box::new(move || {

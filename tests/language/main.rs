@@ -41,6 +41,8 @@ mod recompose;
 mod reconnected;
 mod run;
 mod scene;
+mod scene_facts;
+mod scene_laws;
 mod scene_streams;
 mod set_by_name;
 mod shape_tree;

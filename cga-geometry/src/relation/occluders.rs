@@ -163,20 +163,25 @@ impl Occluders {
         wanted: Relation,
         accept: &mut dyn FnMut(u32) -> bool,
     ) -> (Relation, usize) {
-        let mut search = Search { occluders: self, geometry, reach: self.reach(geometry), wanted, found: Relation::NONE };
+        let mut search = Search { occluders: self, geometry, wanted, found: Relation::NONE };
         if search.is_over() {
             return (search.found, 0);
         }
-        let reach = search.reach;
-        let compared = self.tree.visit(|bounds| overlap(bounds, &reach), |at| search.compare(at, accept));
+        let reach = self.reach(&geometry.bounds);
+        let compared = self.tree.visit(
+            |bounds| overlap(bounds, &reach),
+            |at| !overlap(&self.bounds[at as usize], &reach) || search.compare(at, accept),
+        );
         (search.found, compared)
     }
 
-    /// The box in which all occluders are that a geometry can have a relation to: its own box, wider by the tolerance.
+    /// The box that meets the boxes of all occluders to which a geometry can have a relation: the box around the geometry, wider by the
+    /// tolerance.
     #[inline]
-    pub fn reach(&self, geometry: &QueryGeometry<'_>) -> Bounds {
-        let margin = largest_tolerance(self.far.max(geometry.far));
-        Bounds { low: geometry.bounds.low - margin, high: geometry.bounds.high + margin }
+    pub fn reach(&self, bounds: &Bounds) -> Bounds {
+        let far = bounds.low.abs().max(bounds.high.abs()).max_element();
+        let margin = largest_tolerance(self.far.max(far));
+        Bounds { low: bounds.low - margin, high: bounds.high + margin }
     }
 
     /// The occluders whose boxes meet a region. `None` if there are more than `most`.
@@ -186,7 +191,7 @@ impl Occluders {
         let mut list = Vec::new();
         let collect = |at: u32| {
             if overlap(&self.bounds[at as usize], region) {
-                list.push(at);
+                list.push(NearOccluder { bounds: self.bounds[at as usize], at });
             }
             list.len() <= most
         };
@@ -194,18 +199,22 @@ impl Occluders {
         (list.len() <= most).then_some(NearOccluders(list))
     }
 
-    /// The answers of [`query`](Occluders::query) for a geometry whose [`reach`](Occluders::reach) is in the region of `near`.
-    #[inline]
+    /// The answers of [`query`](Occluders::query) for a geometry with a [`reach`](Occluders::reach) in the region of `near`.
     pub fn query_near(
         &self,
         near: &NearOccluders,
         geometry: &QueryGeometry<'_>,
+        reach: &Bounds,
         wanted: Relation,
         accept: &mut dyn FnMut(u32) -> bool,
     ) -> Relation {
-        let mut search = Search { occluders: self, geometry, reach: self.reach(geometry), wanted, found: Relation::NONE };
+        let mut search = Search { occluders: self, geometry, wanted, found: Relation::NONE };
         if !search.is_over() {
-            near.0.iter().all(|at| search.compare(*at, accept));
+            for near in &near.0 {
+                if overlap(&near.bounds, reach) && !search.compare(near.at, accept) {
+                    break;
+                }
+            }
         }
         search.found
     }
@@ -213,17 +222,35 @@ impl Occluders {
 
 /// Some of the occluders of a list: the ones near a region.
 #[derive(Clone, Debug, Default)]
-pub struct NearOccluders(Vec<u32>);
+pub struct NearOccluders(Vec<NearOccluder>);
+
+#[derive(Clone, Debug)]
+struct NearOccluder {
+    bounds: Bounds,
+    /// Its place in the list of solids.
+    at: u32,
+}
 
 impl NearOccluders {
     /// Keeps the occluders whose numbers `keep` accepts.
     pub fn retain(&mut self, occluders: &Occluders, mut keep: impl FnMut(u32) -> bool) {
-        self.0.retain(|at| occluders.solids.get(*at as usize).is_some_and(|solid| keep(solid.number)));
+        self.0.retain(|near| occluders.solids.get(near.at as usize).is_some_and(|solid| keep(solid.number)));
+    }
+
+    /// The number of occluders.
+    pub fn len(&self) -> usize {
+        self.0.len()
     }
 
     /// Returns true if no occluder is near.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
+    }
+
+    /// Returns true if no geometry with a reach has a relation to one of the occluders.
+    #[inline]
+    pub fn is_clear(&self, reach: &Bounds) -> bool {
+        !self.0.iter().any(|near| overlap(&near.bounds, reach))
     }
 }
 
@@ -231,7 +258,6 @@ impl NearOccluders {
 struct Search<'s> {
     occluders: &'s Occluders,
     geometry: &'s QueryGeometry<'s>,
-    reach: Bounds,
     wanted: Relation,
     found: Relation,
 }
@@ -246,9 +272,8 @@ impl Search<'_> {
     /// Compares the geometry with an occluder. Returns true while answers are missing.
     #[inline]
     fn compare(&mut self, at: u32, accept: &mut dyn FnMut(u32) -> bool) -> bool {
-        let Occluders { bounds, solids, .. } = self.occluders;
-        let (Some(bounds), Some(solid)) = (bounds.get(at as usize), solids.get(at as usize)) else { return true };
-        if !overlap(bounds, &self.reach) || !accept(solid.number) {
+        let Some(solid) = self.occluders.solids.get(at as usize) else { return true };
+        if !accept(solid.number) {
             return true;
         }
         let relation = solid.relation(self.geometry, self.wanted.without(self.found));

@@ -86,6 +86,12 @@ impl<'m> QueryGeometry<'m> {
         Self::of(Form::Cuboid(cuboid), cuboid.bounds(), cuboid.extent())
     }
 
+    /// The box around the geometry, along the axes of the world; empty for a geometry without a relation to any occluder.
+    #[inline]
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
     /// The rectangle, or parallelogram, with a corner and two sides from it.
     pub fn rectangle(corner: DVec3, sides: [DVec3; 2]) -> Self {
         Self::of_sides(corner, [sides[0], sides[1], DVec3::ZERO])

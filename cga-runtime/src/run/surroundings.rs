@@ -78,11 +78,6 @@ impl LabelledNeighbours {
 }
 
 impl Surroundings {
-    /// Returns true if shapes of a target are known.
-    pub(crate) fn has_any(&self, target: QueryTarget) -> bool {
-        self.own(target).is_some() || self.neighbours(target).is_some()
-    }
-
     /// The ghosts with the closed shapes of a target.
     pub(crate) fn occluding(&self, target: QueryTarget) -> AskedGhosts<'_> {
         let others = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);

@@ -252,6 +252,7 @@ impl TreeKeys {
         (self.path, self.resumed, self.waiting) = (before.path, before.resumed, before.waiting);
     }
 
+    #[inline]
     fn parent(&self, level: usize) -> u32 {
         match level.checked_sub(1) {
             Some(above) => self.path.get(above).copied().unwrap_or_default(),
@@ -275,6 +276,7 @@ impl TreeKeys {
     }
 
     /// The number of the next child of the rule at a level.
+    #[inline]
     fn next_number(&mut self, level: usize, parent: u32) -> u32 {
         let reserved = if level == 0 { self.resumed.as_mut().and_then(|resumed| resumed.number.take()) } else { None };
         reserved.unwrap_or_else(|| {
@@ -286,6 +288,7 @@ impl TreeKeys {
     }
 
     /// Adds a child of the rule at a level.
+    #[inline]
     fn add(&mut self, level: usize) -> u32 {
         let parent = self.parent(level);
         let number = self.next_number(level, parent);

@@ -57,9 +57,13 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub(crate) fn make_room(&mut self, more: u64) -> Flow {
-        if self.has_quiet_room(more) {
-            return ControlFlow::Continue(());
-        }
+        if self.has_quiet_room(more) { ControlFlow::Continue(()) } else { self.make_room_beyond(more) }
+    }
+
+    /// Handles a request for `more` shapes at a limit, for the watch or while room is measured.
+    #[cold]
+    #[inline(never)]
+    fn make_room_beyond(&mut self, more: u64) -> Flow {
         let wanted = self.shape_count().saturating_add(more);
         let limit = self.most_shapes();
         if limit < wanted {

@@ -5,6 +5,7 @@ use glam::{DAffine3, DMat3};
 use crate::geometry::relation::{Occluder, QueryGeometry, Relation};
 use crate::shape::Geometry;
 use crate::shape::body::Body;
+use crate::shape::cuboid_view::CuboidView;
 use crate::shape::scope::Scope;
 
 /// The box of a scope, as a map of the unit box.
@@ -30,14 +31,8 @@ pub(crate) fn relation(body: &Body, mut ask: impl FnMut(&QueryGeometry<'_>) -> R
     let scope = &body.scope;
     match &body.geometry {
         Geometry::Empty => Relation::NONE,
-        Geometry::Box(_) => ask(&QueryGeometry::oriented(scope.centre(), scope.axes, scope.size * 0.5)),
-        Geometry::Rect(axis, _) => {
-            // The rectangle is on the low side of the scope.
-            let mut size = scope.size;
-            size[axis.index()] = 0.0;
-            let half = size * 0.5;
-            ask(&QueryGeometry::oriented(scope.origin + scope.axes * half, scope.axes, half))
-        }
+        Geometry::Box(_) => ask(&CuboidView::new(scope.origin, &scope.axes, scope.size).geometry()),
+        Geometry::Rect(axis, _) => ask(&CuboidView::rectangle(scope.origin, &scope.axes, scope.size, *axis).geometry()),
         Geometry::Mesh(placed) => {
             ask(&QueryGeometry::mesh(&placed.mesh, scope.placement() * placed.to_scope(scope.size)))
         }

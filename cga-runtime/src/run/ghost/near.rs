@@ -11,7 +11,7 @@ use crate::geometry::mesh::Bounds;
 use crate::geometry::relation::{NearOccluders, QueryGeometry, Relation};
 use crate::run::tree_keys::{Kinship, Place, TreeNode};
 
-/// The most occluders of a ghost that are worth a list.
+/// The most occluders that are worth a list.
 const MOST: usize = 32;
 
 /// The first distance from a query to the border of its region, in longest extents of its box.
@@ -80,32 +80,55 @@ impl NearQueries {
         self.region = None;
     }
 
-    /// The wanted answers for a geometry.
+    /// Finds the occluders near a query. Returns the box that meets the boxes of all occluders to which geometry with these bounds can have a
+    /// relation.
+    #[inline]
+    pub(crate) fn find(&mut self, ghosts: AskedGhosts<'_>, bounds: &Bounds, place: Option<Place<'_>>) -> Bounds {
+        let reach = ghosts.reach(bounds);
+        self.queries = self.queries.saturating_add(1);
+        if !self.region.as_ref().is_some_and(|region| region.has(&reach, place)) {
+            self.begin_region(ghosts, &reach, place);
+        }
+        reach
+    }
+
+    /// Returns true if none of the occluders that were found is near enough for a relation.
+    #[inline]
+    pub(crate) fn is_clear(&self, reach: &Bounds) -> bool {
+        self.region.as_ref().is_some_and(|region| {
+            region.own.is_clear(reach) && region.others.iter().all(|(_, near)| near.is_clear(reach))
+        })
+    }
+
+    /// The wanted answers for a geometry, after its occluders were found.
     pub(crate) fn relation(
-        &mut self,
+        &self,
         ghosts: AskedGhosts<'_>,
         geometry: &QueryGeometry<'_>,
+        reach: &Bounds,
         query: OcclusionQuery<'_>,
     ) -> Relation {
-        if self.growth < LEAST_GROWTH {
-            return ghosts.relation(geometry, query);
-        }
-        let reach = ghosts.reach(geometry);
-        self.queries = self.queries.saturating_add(1);
-        if !self.region.as_ref().is_some_and(|region| region.has(&reach, query.place)) {
-            if PROBATION < self.regions && self.queries / LEAST_QUERIES < self.regions {
-                self.growth = 0.0;
-                return ghosts.relation(geometry, query);
-            }
-            self.regions += 1;
-            self.region = Region::around(ghosts, reach, self.growth, query.place);
-        }
         match &self.region {
-            Some(region) => region.relation(ghosts, geometry, query),
-            None => {
-                self.growth *= 0.5;
-                ghosts.relation(geometry, query)
-            }
+            Some(region) => region.relation(ghosts, geometry, reach, query),
+            None => ghosts.relation(geometry, query),
+        }
+    }
+
+    /// Makes the region of a query. If that does not pay, no further region is made.
+    #[cold]
+    fn begin_region(&mut self, ghosts: AskedGhosts<'_>, reach: &Bounds, place: Option<Place<'_>>) {
+        self.region = None;
+        if self.growth < LEAST_GROWTH {
+            return;
+        }
+        if PROBATION < self.regions && self.queries / LEAST_QUERIES < self.regions {
+            self.growth = 0.0;
+            return;
+        }
+        self.regions += 1;
+        self.region = Region::around(ghosts, reach, self.growth, place);
+        if self.region.is_none() {
+            self.growth *= 0.5;
         }
     }
 }
@@ -116,11 +139,17 @@ impl AskedGhosts<'_> {
         self.own.is_none_or(|ghost| ghost.occluders().is_empty()) && self.others.is_empty()
     }
 
-    /// The box in which all occluders are that a geometry can have a relation to.
+    /// The box that meets the boxes of all occluders to which geometry with these bounds can have a relation.
     #[inline]
-    fn reach(&self, geometry: &QueryGeometry<'_>) -> Bounds {
-        let all = self.own.into_iter().chain(self.others.iter().map(|ghost| &**ghost));
-        all.fold(Bounds::EMPTY, |sum, ghost| sum.union(ghost.occluders().solids().reach(geometry)))
+    fn reach(&self, bounds: &Bounds) -> Bounds {
+        let reach = |ghost: &Ghost| ghost.occluders().solids().reach(bounds);
+        match (self.own, self.others) {
+            (Some(own), []) => reach(own),
+            (own, others) => {
+                let own = own.map_or(Bounds::EMPTY, reach);
+                others.iter().fold(own, |sum, ghost| sum.union(reach(ghost)))
+            }
+        }
     }
 
     /// The wanted answers, without a list of near occluders.
@@ -143,7 +172,7 @@ impl AskedGhosts<'_> {
 
 impl Region {
     /// The region around a query. `None` with many occluders.
-    fn around(ghosts: AskedGhosts<'_>, reach: Bounds, growth: f64, place: Option<Place<'_>>) -> Option<Self> {
+    fn around(ghosts: AskedGhosts<'_>, reach: &Bounds, growth: f64, place: Option<Place<'_>>) -> Option<Self> {
         let margin = growth * reach.size().max_element();
         let bounds = Bounds { low: reach.low - margin, high: reach.high + margin };
         let mut own = match ghosts.own {
@@ -167,9 +196,10 @@ impl Region {
                 }
             });
         }
-        let mut others = Vec::new();
+        let (mut others, mut count) = (Vec::new(), own.len());
         for (number, ghost) in ghosts.others.iter().enumerate() {
-            let near = ghost.occluders().solids().near(&bounds, MOST)?;
+            let near = ghost.occluders().solids().near(&bounds, MOST.saturating_sub(count))?;
+            count += near.len();
             if !near.is_empty() {
                 others.push((number, near));
             }
@@ -181,18 +211,24 @@ impl Region {
     /// Returns true if the region has the occluders of a query.
     #[inline]
     fn has(&self, reach: &Bounds, place: Option<Place<'_>>) -> bool {
-        self.bounds.low.cmple(reach.low).all()
-            && reach.high.cmple(self.bounds.high).all()
-            && place.is_none_or(|place| place.is_at_or_below(self.below))
+        let holds =
+            |axis: usize| self.bounds.low[axis] <= reach.low[axis] && reach.high[axis] <= self.bounds.high[axis];
+        (holds(0) && holds(1) && holds(2)) && place.is_none_or(|place| place.is_at_or_below(self.below))
     }
 
     /// The wanted answers for a geometry in the region.
     #[inline]
-    fn relation(&self, ghosts: AskedGhosts<'_>, geometry: &QueryGeometry<'_>, query: OcclusionQuery<'_>) -> Relation {
+    fn relation(
+        &self,
+        ghosts: AskedGhosts<'_>,
+        geometry: &QueryGeometry<'_>,
+        reach: &Bounds,
+        query: OcclusionQuery<'_>,
+    ) -> Relation {
         let ask = |ghost: &Ghost, near: &NearOccluders, wanted: Relation, place| {
             let query = OcclusionQuery { wanted, place, ..query };
             let occluders = ghost.occluders();
-            occluders.solids().query_near(near, geometry, wanted, &mut |number| occluders.counts(number, query))
+            occluders.solids().query_near(near, geometry, reach, wanted, &mut |number| occluders.counts(number, query))
         };
         let place = query.place.filter(|_| self.has_descendants);
         let mut found = ghosts.own.map_or(Relation::NONE, |ghost| ask(ghost, &self.own, query.wanted, place));
