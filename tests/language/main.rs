@@ -42,6 +42,7 @@ mod reconnected;
 mod run;
 mod scene;
 mod scene_facts;
+mod scene_hostile;
 mod scene_laws;
 mod scene_streams;
 mod set_by_name;

@@ -12,7 +12,7 @@ cga! {
         Tile -->
             case inside(inter) : NIL
             case touches(all) : Wall.
-            case minimumDistance(inter, "mass") < 3 : color("#886644") Small.
+            case minimumDistance(inter, "mass") < 3 : color(0.5, 0.4, 0.3) Small.
             case contextCount(inter, "mass") > 3 : Crowded.
             case p(0.3) : print(getTreeKey) Window.
             else : Door.

@@ -20,8 +20,11 @@ const SKEW: f64 = 1e-12;
 const PARALLEL: f64 = 0.5;
 
 /// The relation of a box or a rectangle to a box.
-#[inline]
 pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wanted: Relation) -> Relation {
+    if let Some(outer) = aligned_half(occluder, &geometry.axes) {
+        let away = geometry.axes.transpose() * (geometry.centre - occluder.centre);
+        return relate_aligned(geometry.half, outer, away, tolerance, wanted);
+    }
     let inverse = occluder.axes.transpose();
     let axes = inverse * geometry.axes;
     let sizes = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
@@ -34,21 +37,46 @@ pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wante
         outer: occluder.half,
         tolerance,
     };
-    let is_aligned = pair.is_aligned();
-    let Some(depth) = (if is_aligned { pair.aligned_depth() } else { pair.depth() }) else {
-        return Relation::NONE;
-    };
+    let Some(depth) = pair.depth() else { return Relation::NONE };
     let is_inside = pair.is_inside();
     let is_thick = geometry.is_solid() || tolerance < 2.0 * occluder.half.min_element();
     let overlaps = tolerance < depth && is_thick;
-    let contact = wanted.touches
-        && !is_inside
-        && !overlaps
-        && if is_aligned {
-            pair.has_aligned_contact(geometry.is_solid())
-        } else {
-            pair.has_contact(geometry.is_solid())
-        };
+    let contact = wanted.touches && !is_inside && !overlaps && pair.has_contact(geometry.is_solid());
+    Relation::of(is_inside, overlaps, contact)
+}
+
+/// Half of the extents of an occluder along some axes, if these are its own axes in any order. Most pairs of a building have the same axes.
+pub(super) fn aligned_half(occluder: &Cuboid, axes: &DMat3) -> Option<DVec3> {
+    let DMat3 { x_axis, y_axis, z_axis } = occluder.axes.transpose() * *axes;
+    let sizes = [x_axis.abs(), y_axis.abs(), z_axis.abs()];
+    let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
+    sizes.into_iter().all(is_axis).then(|| DVec3::from(sizes.map(|size| size.dot(occluder.half))))
+}
+
+/// [`relate`] for a geometry and an occluder with the same axes: half of their extents, and the way from the centre of the occluder to the
+/// centre of the geometry, along these axes. A rectangle has one extent of 0.
+#[inline]
+pub(super) fn relate_aligned(half: DVec3, outer: DVec3, away: DVec3, tolerance: f64, wanted: Relation) -> Relation {
+    let depth = (outer + half - away.abs()).min_element();
+    if depth < -tolerance {
+        return Relation::NONE;
+    }
+    let is_solid = half.cmpne(DVec3::ZERO).all();
+    let is_inside = (away.abs() + half).cmple(outer + tolerance).all();
+    let is_thick = is_solid || tolerance < 2.0 * outer.min_element();
+    let overlaps = tolerance < depth && is_thick;
+    let contact = wanted.touches && !is_inside && !overlaps && {
+        // The part that both have in common, as extents.
+        let common = (away + half).min(outer) - (away - half).max(-outer);
+        (0..3).any(|across| {
+            let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
+            let is_wide = 0.0 < a && 0.0 < b && tolerance * (a + b) < a * b;
+            let is_near = |side: f64| (side.abs() - outer[across]).abs() <= tolerance;
+            (is_solid || half[across] == 0.0)
+                && is_wide
+                && (is_near(away[across] + half[across]) || is_near(away[across] - half[across]))
+        })
+    };
     Relation::of(is_inside, overlaps, contact)
 }
 
@@ -67,38 +95,7 @@ struct Pair {
 }
 
 impl Pair {
-    /// Returns true if the geometry has the axes of the occluder, in any order. Most pairs of a building have.
-    #[inline]
-    fn is_aligned(&self) -> bool {
-        let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
-        is_axis(self.sizes.x_axis) && is_axis(self.sizes.y_axis) && is_axis(self.sizes.z_axis)
-    }
-
-    /// [`depth`](Pair::depth) of a geometry with the same axes.
-    #[inline]
-    fn aligned_depth(&self) -> Option<f64> {
-        let depth = (self.outer + self.reach - self.centre.abs()).min_element();
-        (-self.tolerance <= depth).then_some(depth)
-    }
-
-    /// [`has_contact`](Pair::has_contact) of a geometry with the same axes.
-    fn has_aligned_contact(&self, is_solid: bool) -> bool {
-        let Pair { centre, outer, tolerance, sizes, reach, .. } = self;
-        // The part that both have in common, as extents.
-        let common = (*centre + *reach).min(*outer) - (*centre - *reach).max(-*outer);
-        (0..3).any(|across| {
-            if !is_solid && sizes.z_axis[across] < PARALLEL {
-                return false;
-            }
-            let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
-            let is_wide = 0.0 < a && 0.0 < b && tolerance * (a + b) < a * b;
-            let is_near = |side: f64| (side.abs() - outer[across]).abs() <= *tolerance;
-            is_wide && (is_near(centre[across] + reach[across]) || is_near(centre[across] - reach[across]))
-        })
-    }
-
     /// The length of the shortest move that separates the two. `None` if they are farther apart than the tolerance.
-    #[inline]
     fn depth(&self) -> Option<f64> {
         let Pair { centre, axes, sizes, half, reach, outer, tolerance } = self;
         let depths = *outer + *reach - centre.abs();

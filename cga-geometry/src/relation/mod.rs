@@ -43,7 +43,9 @@ mod budget;
 mod convex_polygon;
 mod cuboid;
 mod cuboid_pair;
+mod near;
 mod occluders;
+mod oriented_box;
 mod plane_cut;
 mod query_geometry;
 mod segment_pair;
@@ -52,7 +54,9 @@ mod surface;
 mod surface_pair;
 mod tolerance;
 
-pub use occluders::{NearOccluders, Occluder, Occluders};
+pub use near::NearOccluders;
+pub use occluders::{Occluder, Occluders};
+pub use oriented_box::OrientedBox;
 pub use query_geometry::QueryGeometry;
 
 /// The answers for a geometry. Whatever is `inside` or `overlaps` also `touches`.

@@ -79,24 +79,24 @@ impl From<(Arc<Mesh>, DAffine3)> for Occluder {
 /// Their faces are prepared when a query needs them for the first time.
 #[derive(Debug, Default)]
 pub struct Occluders {
-    tree: BoundsTree,
+    pub(super) tree: BoundsTree,
     /// The box of each solid.
-    bounds: Vec<Bounds>,
-    solids: Vec<Solid>,
+    pub(super) bounds: Vec<Bounds>,
+    pub(super) solids: Vec<Solid>,
     /// The largest coordinate.
     far: f64,
     count: usize,
 }
 
 #[derive(Debug)]
-struct Solid {
+pub(super) struct Solid {
     /// The number of the occluder.
-    number: u32,
+    pub(super) number: u32,
     /// The longest side.
-    extent: f64,
+    pub(super) extent: f64,
     /// The largest coordinate.
-    far: f64,
-    cuboid: Option<Cuboid>,
+    pub(super) far: f64,
+    pub(super) cuboid: Option<Cuboid>,
     /// `None` for a box.
     source: Option<Box<Occluder>>,
     surface: OnceLock<Box<Surface>>,
@@ -183,95 +183,26 @@ impl Occluders {
         let margin = largest_tolerance(self.far.max(far));
         Bounds { low: bounds.low - margin, high: bounds.high + margin }
     }
-
-    /// The occluders whose boxes meet a region. `None` if there are more than `most`.
-    ///
-    /// Many queries in one place find them once: [`query_near`](Occluders::query_near).
-    pub fn near(&self, region: &Bounds, most: usize) -> Option<NearOccluders> {
-        let mut list = Vec::new();
-        let collect = |at: u32| {
-            if overlap(&self.bounds[at as usize], region) {
-                list.push(NearOccluder { bounds: self.bounds[at as usize], at });
-            }
-            list.len() <= most
-        };
-        self.tree.visit(|bounds| overlap(bounds, region), collect);
-        (list.len() <= most).then_some(NearOccluders(list))
-    }
-
-    /// The answers of [`query`](Occluders::query) for a geometry with a [`reach`](Occluders::reach) in the region of `near`.
-    pub fn query_near(
-        &self,
-        near: &NearOccluders,
-        geometry: &QueryGeometry<'_>,
-        reach: &Bounds,
-        wanted: Relation,
-        accept: &mut dyn FnMut(u32) -> bool,
-    ) -> Relation {
-        let mut search = Search { occluders: self, geometry, wanted, found: Relation::NONE };
-        if !search.is_over() {
-            for near in &near.0 {
-                if overlap(&near.bounds, reach) && !search.compare(near.at, accept) {
-                    break;
-                }
-            }
-        }
-        search.found
-    }
-}
-
-/// Some of the occluders of a list: the ones near a region.
-#[derive(Clone, Debug, Default)]
-pub struct NearOccluders(Vec<NearOccluder>);
-
-#[derive(Clone, Debug)]
-struct NearOccluder {
-    bounds: Bounds,
-    /// Its place in the list of solids.
-    at: u32,
-}
-
-impl NearOccluders {
-    /// Keeps the occluders whose numbers `keep` accepts.
-    pub fn retain(&mut self, occluders: &Occluders, mut keep: impl FnMut(u32) -> bool) {
-        self.0.retain(|near| occluders.solids.get(near.at as usize).is_some_and(|solid| keep(solid.number)));
-    }
-
-    /// The number of occluders.
-    pub fn len(&self) -> usize {
-        self.0.len()
-    }
-
-    /// Returns true if no occluder is near.
-    pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Returns true if no geometry with a reach has a relation to one of the occluders.
-    #[inline]
-    pub fn is_clear(&self, reach: &Bounds) -> bool {
-        !self.0.iter().any(|near| overlap(&near.bounds, reach))
-    }
 }
 
 /// The comparison of a geometry with occluders.
-struct Search<'s> {
-    occluders: &'s Occluders,
-    geometry: &'s QueryGeometry<'s>,
-    wanted: Relation,
-    found: Relation,
+pub(super) struct Search<'s> {
+    pub(super) occluders: &'s Occluders,
+    pub(super) geometry: &'s QueryGeometry<'s>,
+    pub(super) wanted: Relation,
+    pub(super) found: Relation,
 }
 
 impl Search<'_> {
     /// Returns true if all answers are found before the search.
     #[inline]
-    fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         matches!(self.geometry.form, Form::Nothing) || self.wanted == Relation::NONE
     }
 
     /// Compares the geometry with an occluder. Returns true while answers are missing.
     #[inline]
-    fn compare(&mut self, at: u32, accept: &mut dyn FnMut(u32) -> bool) -> bool {
+    pub(super) fn compare(&mut self, at: u32, accept: &mut dyn FnMut(u32) -> bool) -> bool {
         let Some(solid) = self.occluders.solids.get(at as usize) else { return true };
         if !accept(solid.number) {
             return true;
@@ -284,7 +215,7 @@ impl Search<'_> {
 
 impl Solid {
     /// The relation of a geometry to the solid, at least the `wanted` answers.
-    fn relation(&self, geometry: &QueryGeometry<'_>, wanted: Relation) -> Relation {
+    pub(super) fn relation(&self, geometry: &QueryGeometry<'_>, wanted: Relation) -> Relation {
         let tolerance = tolerance([self.extent, geometry.extent], self.far.max(geometry.far));
         match (&geometry.form, &self.cuboid) {
             (Form::Nothing, _) => Relation::NONE,

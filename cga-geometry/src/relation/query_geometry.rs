@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles as _};
 
 use super::cuboid::Cuboid;
+use super::oriented_box;
 use super::surface::Surface;
 use crate::bounds::Bounds;
 use crate::mesh::Mesh;
@@ -126,7 +127,11 @@ impl<'m> QueryGeometry<'m> {
 
     #[inline]
     fn of(form: Form<'m>, bounds: Bounds, extent: f64) -> Self {
-        let far = bounds.low.abs().max(bounds.high.abs()).max_element();
+        let far = match &form {
+            // As for boxes that are compared without a geometry.
+            Form::Cuboid(cuboid) => oriented_box::far(cuboid.centre, cuboid.half),
+            _ => bounds.low.abs().max(bounds.high.abs()).max_element(),
+        };
         // Minima and maxima of coordinates leave NaN out, and sums do not.
         let sum = bounds.low + bounds.high;
         let is_finite = (sum.x + sum.y + sum.z).is_finite() && form.is_finite();

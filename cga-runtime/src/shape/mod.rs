@@ -6,7 +6,6 @@
 pub(crate) mod axes;
 pub(crate) mod base;
 pub(crate) mod body;
-pub(crate) mod cuboid_view;
 pub(crate) mod direction;
 pub(crate) mod edge_attributes;
 pub(crate) mod filled_scope;

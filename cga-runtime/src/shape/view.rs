@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::{Geometry, Shape, ShapeRef};
+use crate::geometry::relation::OrientedBox;
 use crate::shape::base::Form;
 use crate::shape::body::Body;
-use crate::shape::cuboid_view::CuboidView;
 use crate::shape::scope::Scope;
 use crate::value::Value;
 
@@ -36,7 +36,7 @@ pub trait View {
     fn body(&self) -> Body;
 
     /// The geometry, if it is a box or a rectangle.
-    fn cuboid(&self) -> Option<CuboidView<'_>>;
+    fn cuboid(&self) -> Option<OrientedBox<'_>>;
 }
 
 impl View for Shape {
@@ -74,11 +74,11 @@ impl View for Shape {
         Body::from(self)
     }
 
-    fn cuboid(&self) -> Option<CuboidView<'_>> {
+    fn cuboid(&self) -> Option<OrientedBox<'_>> {
         let Scope { origin, axes, size } = &self.scope;
         match self.geometry {
-            Geometry::Rect(axis, _) => Some(CuboidView::rectangle(*origin, axes, *size, axis)),
-            Geometry::Box(_) => Some(CuboidView::new(*origin, axes, *size)),
+            Geometry::Rect(axis, _) => Some(OrientedBox::rectangle(*origin, axes, *size, axis)),
+            Geometry::Box(_) => Some(OrientedBox::new(*origin, axes, *size)),
             _ => None,
         }
     }
@@ -128,11 +128,11 @@ impl View for &ShapeRef<'_> {
     }
 
     #[inline]
-    fn cuboid(&self) -> Option<CuboidView<'_>> {
+    fn cuboid(&self) -> Option<OrientedBox<'_>> {
         let (origin, axes, size) = (ShapeRef::origin(self), &self.axes.matrix, self.size.get());
         match self.form {
-            Form::Rect(axis) => Some(CuboidView::rectangle(origin, axes, size, axis)),
-            Form::Box => Some(CuboidView::new(origin, axes, size)),
+            Form::Rect(axis) => Some(OrientedBox::rectangle(origin, axes, size, axis)),
+            Form::Box => Some(OrientedBox::new(origin, axes, size)),
             Form::Empty | Form::Other => None,
         }
     }

@@ -172,17 +172,9 @@ impl Env {
         let place = keys.as_ref().map(|keys| keys.place(keys.current(self.trail.len())));
         let query = OcclusionQuery { wanted, label: Some(label).filter(|label| !label.is_empty()), place };
         let near = &mut near[target as usize];
-        // Most shapes of façades are rectangles without neighbours.
-        if let Some(cuboid) = shape.cuboid() {
-            let reach = near.find(ghosts, &cuboid.bounds(), place);
-            if near.is_clear(&reach) {
-                return Relation::NONE;
-            }
-            return near.relation(ghosts, &cuboid.geometry(), &reach, query);
+        if let Some(geometry) = shape.cuboid() {
+            return near.relation_of_box(ghosts, &geometry, query);
         }
-        body::relation(&shape.body(), |geometry| {
-            let reach = near.find(ghosts, geometry.bounds(), place);
-            near.relation(ghosts, geometry, &reach, query)
-        })
+        body::relation(&shape.body(), |geometry| near.relation(ghosts, geometry, query))
     }
 }

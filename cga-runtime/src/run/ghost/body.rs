@@ -2,10 +2,9 @@
 
 use glam::{DAffine3, DMat3};
 
-use crate::geometry::relation::{Occluder, QueryGeometry, Relation};
+use crate::geometry::relation::{Occluder, OrientedBox, QueryGeometry, Relation};
 use crate::shape::Geometry;
 use crate::shape::body::Body;
-use crate::shape::cuboid_view::CuboidView;
 use crate::shape::scope::Scope;
 
 /// The box of a scope, as a map of the unit box.
@@ -31,8 +30,10 @@ pub(crate) fn relation(body: &Body, mut ask: impl FnMut(&QueryGeometry<'_>) -> R
     let scope = &body.scope;
     match &body.geometry {
         Geometry::Empty => Relation::NONE,
-        Geometry::Box(_) => ask(&CuboidView::new(scope.origin, &scope.axes, scope.size).geometry()),
-        Geometry::Rect(axis, _) => ask(&CuboidView::rectangle(scope.origin, &scope.axes, scope.size, *axis).geometry()),
+        Geometry::Box(_) => ask(&OrientedBox::new(scope.origin, &scope.axes, scope.size).to_query()),
+        Geometry::Rect(axis, _) => {
+            ask(&OrientedBox::rectangle(scope.origin, &scope.axes, scope.size, *axis).to_query())
+        }
         Geometry::Mesh(placed) => {
             ask(&QueryGeometry::mesh(&placed.mesh, scope.placement() * placed.to_scope(scope.size)))
         }

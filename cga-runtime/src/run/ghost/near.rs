@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use super::Ghost;
 use crate::geometry::mesh::Bounds;
-use crate::geometry::relation::{NearOccluders, QueryGeometry, Relation};
+use crate::geometry::relation::{NearOccluders, Occluders, OrientedBox, QueryGeometry, Relation};
 use crate::run::tree_keys::{Kinship, Place, TreeNode};
 
 /// The most occluders that are worth a list.
@@ -80,38 +80,45 @@ impl NearQueries {
         self.region = None;
     }
 
-    /// Finds the occluders near a query. Returns the box that meets the boxes of all occluders to which geometry with these bounds can have a
-    /// relation.
+    /// The wanted answers for a geometry.
+    pub(crate) fn relation(
+        &mut self,
+        ghosts: AskedGhosts<'_>,
+        geometry: &QueryGeometry<'_>,
+        query: OcclusionQuery<'_>,
+    ) -> Relation {
+        match self.find(ghosts, geometry.bounds(), query.place) {
+            Some(region) => region
+                .ask(ghosts, query, |solids, near, wanted, accept| solids.query_near(near, geometry, wanted, accept)),
+            None => ghosts.relation(geometry, query),
+        }
+    }
+
+    /// The wanted answers for a box or a rectangle.
     #[inline]
-    pub(crate) fn find(&mut self, ghosts: AskedGhosts<'_>, bounds: &Bounds, place: Option<Place<'_>>) -> Bounds {
+    pub(crate) fn relation_of_box(
+        &mut self,
+        ghosts: AskedGhosts<'_>,
+        geometry: &OrientedBox<'_>,
+        query: OcclusionQuery<'_>,
+    ) -> Relation {
+        match self.find(ghosts, &geometry.around(), query.place) {
+            Some(region) => region.ask(ghosts, query, |solids, near, wanted, accept| {
+                solids.query_box_near(near, geometry, wanted, accept)
+            }),
+            None => ghosts.relation(&geometry.to_query(), query),
+        }
+    }
+
+    /// The region with the occluders for a query in some bounds, if it is worth one.
+    #[inline]
+    fn find(&mut self, ghosts: AskedGhosts<'_>, bounds: &Bounds, place: Option<Place<'_>>) -> Option<&mut Region> {
         let reach = ghosts.reach(bounds);
         self.queries = self.queries.saturating_add(1);
         if !self.region.as_ref().is_some_and(|region| region.has(&reach, place)) {
             self.begin_region(ghosts, &reach, place);
         }
-        reach
-    }
-
-    /// Returns true if none of the occluders that were found is near enough for a relation.
-    #[inline]
-    pub(crate) fn is_clear(&self, reach: &Bounds) -> bool {
-        self.region.as_ref().is_some_and(|region| {
-            region.own.is_clear(reach) && region.others.iter().all(|(_, near)| near.is_clear(reach))
-        })
-    }
-
-    /// The wanted answers for a geometry, after its occluders were found.
-    pub(crate) fn relation(
-        &self,
-        ghosts: AskedGhosts<'_>,
-        geometry: &QueryGeometry<'_>,
-        reach: &Bounds,
-        query: OcclusionQuery<'_>,
-    ) -> Relation {
-        match &self.region {
-            Some(region) => region.relation(ghosts, geometry, reach, query),
-            None => ghosts.relation(geometry, query),
-        }
+        self.region.as_mut()
     }
 
     /// Makes the region of a query. If that does not pay, no further region is made.
@@ -216,28 +223,30 @@ impl Region {
         (holds(0) && holds(1) && holds(2)) && place.is_none_or(|place| place.is_at_or_below(self.below))
     }
 
-    /// The wanted answers for a geometry in the region.
+    /// The wanted answers that `ask` finds among the occluders of the region.
     #[inline]
-    fn relation(
-        &self,
+    fn ask(
+        &mut self,
         ghosts: AskedGhosts<'_>,
-        geometry: &QueryGeometry<'_>,
-        reach: &Bounds,
         query: OcclusionQuery<'_>,
+        ask: impl Fn(&Occluders, &mut NearOccluders, Relation, &mut dyn FnMut(u32) -> bool) -> Relation,
     ) -> Relation {
-        let ask = |ghost: &Ghost, near: &NearOccluders, wanted: Relation, place| {
-            let query = OcclusionQuery { wanted, place, ..query };
-            let occluders = ghost.occluders();
-            occluders.solids().query_near(near, geometry, reach, wanted, &mut |number| occluders.counts(number, query))
-        };
         let place = query.place.filter(|_| self.has_descendants);
-        let mut found = ghosts.own.map_or(Relation::NONE, |ghost| ask(ghost, &self.own, query.wanted, place));
-        for (number, near) in &self.others {
+        let own = OcclusionQuery { place, ..query };
+        let mut found = match ghosts.own.map(Ghost::occluders) {
+            Some(ghost) if !self.own.is_empty() => {
+                ask(ghost.solids(), &mut self.own, query.wanted, &mut |number| ghost.counts(number, own))
+            }
+            _ => Relation::NONE,
+        };
+        let other = OcclusionQuery { place: None, ..query };
+        for (number, near) in &mut self.others {
             if found == query.wanted {
                 break;
             }
-            if let Some(ghost) = ghosts.others.get(*number) {
-                found = found.or(ask(ghost, near, query.wanted.without(found), None));
+            if let Some(ghost) = ghosts.others.get(*number).map(|ghost| ghost.occluders()) {
+                let wanted = query.wanted.without(found);
+                found = found.or(ask(ghost.solids(), near, wanted, &mut |number| ghost.counts(number, other)));
             }
         }
         found
