@@ -1,6 +1,6 @@
 //! Laws of scenes: equal bytes on any number of threads, for any order of the lots, and for a scene cut into parts with a margin.
 
-use cga::{Grammar as _, Model, Scene, Settings, Shape, cga};
+use cga::{Model, Scene, Settings, Shape, cga};
 
 cga! {
     grammar District = r#"

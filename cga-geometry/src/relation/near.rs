@@ -7,7 +7,7 @@ use super::cuboid_pair::{aligned_half, relate_aligned};
 use super::occluders::{Occluders, Search};
 use super::oriented_box::OrientedBox;
 use super::query_geometry::QueryGeometry;
-use super::tolerance::tolerance;
+use super::tolerance::{largest_tolerance, tolerance};
 use crate::bounds::Bounds;
 use crate::bounds_tree::overlap;
 
@@ -27,11 +27,18 @@ struct NearOccluder {
     bounds: Bounds,
     /// Its place in the list of solids.
     at: u32,
-    extent: f64,
-    far: f64,
+    /// The centre of a box.
     centre: DVec3,
-    /// Half of its extents along the axes of the last box, if it is a box with the same axes.
-    aligned: Option<DVec3>,
+    /// The box along the axes of the last one, if it has the same axes.
+    aligned: Option<AlignedBox>,
+}
+
+/// A box in coordinates along its axes.
+#[derive(Clone, Debug)]
+struct AlignedBox {
+    centre: DVec3,
+    /// Half of the extents.
+    outer: DVec3,
 }
 
 impl Occluders {
@@ -44,7 +51,7 @@ impl Occluders {
             let (bounds, solid) = (self.bounds[at as usize], &self.solids[at as usize]);
             if overlap(&bounds, region) {
                 let centre = solid.cuboid.map_or(DVec3::ZERO, |cuboid| cuboid.centre);
-                list.push(NearOccluder { bounds, at, extent: solid.extent, far: solid.far, centre, aligned: None });
+                list.push(NearOccluder { bounds, at, centre, aligned: None });
             }
             list.len() <= most
         };
@@ -86,27 +93,40 @@ impl Occluders {
             return Relation::NONE;
         }
         let far = geometry.far();
-        if !geometry.is_solid_or_rectangle() || !geometry.is_in_range() {
+        if !geometry.is_solid_or_rectangle() || !geometry.is_in_range(far) {
             return self.query_near(near, &geometry.to_query(), wanted, accept);
         }
         if near.axes != *geometry.axes {
             self.turn(near, geometry.axes);
         }
-        let (half, extent) = (geometry.half.abs(), 2.0 * geometry.half.abs().max_element());
-        let (inverse, mut found) = (geometry.axes.transpose(), Relation::NONE);
+        let (half, inverse) = (geometry.half.abs(), geometry.axes.transpose());
+        let centre = inverse * geometry.centre;
+        // Twice the largest tolerance, so that rounding errors of the centres are in it.
+        let reach = half + 2.0 * largest_tolerance(self.far.max(far));
+        let mut found = Relation::NONE;
         for near in &near.list {
-            let missing = wanted.without(found);
-            let relation = if let Some(outer) = near.aligned {
-                let away = inverse * (geometry.centre - near.centre);
-                let tolerance = tolerance([near.extent, extent], near.far.max(far));
-                relate_aligned(half, outer, away, tolerance, missing)
-            } else if !overlap(&near.bounds, &self.reach(&geometry.around())) {
+            let Some(aligned) = &near.aligned else {
+                let query = geometry.to_query();
+                if overlap(&near.bounds, &self.reach(query.bounds())) {
+                    let mut search = Search { occluders: self, geometry: &query, wanted, found };
+                    let is_over = !search.compare(near.at, accept);
+                    found = search.found;
+                    if is_over {
+                        break;
+                    }
+                }
                 continue;
-            } else {
-                self.solids[near.at as usize].relation(&geometry.to_query(), missing)
             };
-            let relation = relation.and(missing);
-            if relation != Relation::NONE && accept(self.solids[near.at as usize].number) {
+            let meets = |axis: usize| (centre[axis] - aligned.centre[axis]).abs() <= aligned.outer[axis] + reach[axis];
+            if !(meets(0) && meets(2) && meets(1)) {
+                continue;
+            }
+            let solid = &self.solids[near.at as usize];
+            let missing = wanted.without(found);
+            let away = inverse * (geometry.centre - near.centre);
+            let tolerance = tolerance([solid.extent, 2.0 * half.max_element()], solid.far.max(far));
+            let relation = relate_aligned(half, aligned.outer, away, tolerance, missing).and(missing);
+            if relation != Relation::NONE && accept(solid.number) {
                 found = found.or(relation);
                 if found == wanted {
                     break;
@@ -120,8 +140,10 @@ impl Occluders {
     #[cold]
     fn turn(&self, near: &mut NearOccluders, axes: &DMat3) {
         near.axes = *axes;
+        let inverse = axes.transpose();
         for near in &mut near.list {
-            near.aligned = self.solids[near.at as usize].cuboid.and_then(|cuboid| aligned_half(&cuboid, axes));
+            let outer = self.solids[near.at as usize].cuboid.and_then(|cuboid| aligned_half(&cuboid, axes));
+            near.aligned = outer.map(|outer| AlignedBox { centre: inverse * near.centre, outer });
         }
     }
 }

@@ -84,7 +84,7 @@ pub struct Occluders {
     pub(super) bounds: Vec<Bounds>,
     pub(super) solids: Vec<Solid>,
     /// The largest coordinate.
-    far: f64,
+    pub(super) far: f64,
     count: usize,
 }
 

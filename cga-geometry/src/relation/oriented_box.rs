@@ -59,11 +59,11 @@ impl<'s> OrientedBox<'s> {
         is_flat(self.half.x) + is_flat(self.half.y) + is_flat(self.half.z) < 2
     }
 
-    /// Returns true if all coordinates are finite and not too large.
+    /// Returns true if all coordinates are finite and not too large. `far` is its own.
     #[inline]
-    pub(super) fn is_in_range(&self) -> bool {
+    pub(super) fn is_in_range(&self, far: f64) -> bool {
         let sum = self.centre + self.half;
-        (sum.x + sum.y + sum.z).is_finite() && self.far() <= LARGEST
+        (sum.x + sum.y + sum.z).is_finite() && far <= LARGEST
     }
 }
 
