@@ -2,12 +2,24 @@
 //!
 //! The comments have the numbers of a list of facts from the reference.
 
-use cga::{Model, Scene, Settings, Shape, cga};
+use std::sync::Arc;
+
+use cga::mesh::MeshBuilder;
+use cga::{Assets, Model, Scene, Settings, Shape, cga};
 
 use crate::{clean, leaves, lines};
 
+/// The model of a lot of 10 m. There is an asset, a cube without its lid.
 fn model_of(grammar: &dyn cga::Grammar) -> Model {
-    clean(grammar.generate(&Shape::rectangle(10.0, 10.0)).expect("a model"))
+    let corners = [[0, 0, 0], [1, 0, 0], [1, 0, 1], [0, 0, 1], [0, 1, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1]];
+    let mut builder = MeshBuilder::new();
+    let points = corners.map(|corner| builder.point(corner.map(f64::from)));
+    for face in [[0, 1, 2, 3], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]] {
+        builder.polygon(&face.map(|corner: usize| points[corner]));
+    }
+    let assets = Arc::new(Assets::new().with("open.obj", builder.build().expect("a mesh")));
+    let settings = Settings { assets, ..Settings::default() };
+    clean(grammar.generate_with(&Shape::rectangle(10.0, 10.0), &settings).expect("a model"))
 }
 
 fn models(scene: &Scene<'_>) -> Vec<Model> {
@@ -22,7 +34,7 @@ cga! {
         Lot --> split(x) { ~1 : Made | 0 : NIL } [ t(4, 1, 4) s(1, 1, 1) primitiveCube() Probe ]
         Probe --> case overlaps(intra) : Hidden. else : Free.
         Made -->
-            case kind == "open asset" : t(4, 1.5, 4) s(1, 0, 1) i("builtin:quad") Leaf.
+            case kind == "open asset" : s(10, 5, 10) i("open.obj") Leaf.
             case kind == "comp function" : extrude(5) print(size(comp(f) { all : 1 })) NIL
             case kind == "comp before nothing" : extrude(5) comp(f) { all : NIL }
             case kind == "shapeL" : extrude(5) shapeL(3, 3) { shape : NIL | remainder : NIL }

@@ -13,7 +13,7 @@ cga! {
             case inside(inter) : NIL
             case touches(all) : Wall.
             case minimumDistance(inter, "mass") < 3 : color(0.5, 0.4, 0.3) Small.
-            case contextCount(inter, "mass") > 3 : Crowded.
+            case split.index % 3 == 0 && contextCount(inter, "mass") > 3 : Crowded.
             case p(0.3) : print(getTreeKey) Window.
             else : Door.
         Roof --> case contextCompare(inter, "mass", world.highest) == 0 : label("top") Garden.
