@@ -129,8 +129,13 @@ fn least_measure(a: &Bounds, b: &Bounds) -> f64 {
 /// Returns true if two boxes have a common point. Most boxes are apart along the first axis that is compared.
 #[inline]
 pub(crate) fn overlap(a: &Bounds, b: &Bounds) -> bool {
-    let meet = |axis: usize| a.low[axis] <= b.high[axis] && b.low[axis] <= a.high[axis];
-    meet(0) && meet(2) && meet(1)
+    let ([low, high], [other_low, other_high]) = ([a.low, a.high], [b.low, b.high]);
+    low.x <= other_high.x
+        && other_low.x <= high.x
+        && low.z <= other_high.z
+        && other_low.z <= high.z
+        && low.y <= other_high.y
+        && other_low.y <= high.y
 }
 
 /// Returns true if a ray meets a box. `inverse` are the reciprocals of the ray's direction, which has no component zero.

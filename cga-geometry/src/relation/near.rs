@@ -117,15 +117,18 @@ impl Occluders {
                 }
                 continue;
             };
-            let meets = |axis: usize| (centre[axis] - aligned.centre[axis]).abs() <= aligned.outer[axis] + reach[axis];
-            if !(meets(0) && meets(2) && meets(1)) {
+            let AlignedBox { centre: other, outer } = *aligned;
+            let is_near = (centre.x - other.x).abs() <= outer.x + reach.x
+                && (centre.y - other.y).abs() <= outer.y + reach.y
+                && (centre.z - other.z).abs() <= outer.z + reach.z;
+            if !is_near {
                 continue;
             }
             let solid = &self.solids[near.at as usize];
             let missing = wanted.without(found);
             let away = inverse * (geometry.centre - near.centre);
             let tolerance = tolerance([solid.extent, 2.0 * half.max_element()], solid.far.max(far));
-            let relation = relate_aligned(half, aligned.outer, away, tolerance, missing).and(missing);
+            let relation = relate_aligned(half, outer, away, tolerance, missing).and(missing);
             if relation != Relation::NONE && accept(solid.number) {
                 found = found.or(relation);
                 if found == wanted {

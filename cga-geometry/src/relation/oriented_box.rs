@@ -55,8 +55,9 @@ impl<'s> OrientedBox<'s> {
     /// Returns true if at most one extent is 0.
     #[inline]
     pub(super) fn is_solid_or_rectangle(&self) -> bool {
-        let is_flat = |extent: f64| u8::from(extent == 0.0);
-        is_flat(self.half.x) + is_flat(self.half.y) + is_flat(self.half.z) < 2
+        let DVec3 { x, y, z } = self.half.abs();
+        // The second largest extent.
+        0.0 < x.max(y).min(y.max(z)).min(z.max(x))
     }
 
     /// Returns true if all coordinates are finite and not too large. `far` is its own.
