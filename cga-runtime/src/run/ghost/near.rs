@@ -218,9 +218,14 @@ impl Region {
     /// Returns true if the region has the occluders of a query.
     #[inline]
     fn has(&self, reach: &Bounds, place: Option<Place<'_>>) -> bool {
-        let holds =
-            |axis: usize| self.bounds.low[axis] <= reach.low[axis] && reach.high[axis] <= self.bounds.high[axis];
-        (holds(0) && holds(1) && holds(2)) && place.is_none_or(|place| place.is_at_or_below(self.below))
+        let Bounds { low, high } = &self.bounds;
+        low.x <= reach.low.x
+            && reach.high.x <= high.x
+            && low.y <= reach.low.y
+            && reach.high.y <= high.y
+            && low.z <= reach.low.z
+            && reach.high.z <= high.z
+            && place.is_none_or(|place| place.is_at_or_below(self.below))
     }
 
     /// The wanted answers that `ask` finds among the occluders of the region.
