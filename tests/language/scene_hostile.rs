@@ -91,7 +91,7 @@ fn wrong_lots_are_an_error_with_their_number() {
 }
 
 #[test]
-fn distances_that_are_no_numbers_count_as_zero() {
+fn wrong_distances_count_as_zero() {
     let lots = [square([0.0; 3]), square([10.0, 0.0, 0.0]), square([20.5, 0.0, 0.0])];
     let asking = Asking::default();
     let hidden = |distance: f64| -> Vec<usize> {

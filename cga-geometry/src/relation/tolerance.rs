@@ -9,7 +9,7 @@ const OPERATIONS: f64 = 64.0;
 #[inline]
 pub(super) fn tolerance(extents: [f64; 2], far: f64) -> f64 {
     let [a, b] = extents;
-    let smaller = if !(0.0 < a) || 0.0 < b && b < a { b } else { a };
+    let smaller = if a <= 0.0 || 0.0 < b && b < a { b } else { a };
     let smaller = if 0.0 < smaller { smaller } else { f64::INFINITY };
     CONTACT_DISTANCE.min(CONTACT_EPSILON * smaller).max(rounding(far))
 }

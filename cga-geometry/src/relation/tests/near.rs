@@ -24,9 +24,9 @@ fn near_occluders_give_the_answers_of_all() {
             let mut place = city;
             place.translation += city.matrix3 * low;
             place.matrix3 *= DMat3::from_diagonal(size);
-            if number % 6 == 0 {
+            if number.is_multiple_of(6) {
                 place.matrix3 = other.matrix3 * place.matrix3;
-            } else if number % 7 == 0 {
+            } else if number.is_multiple_of(7) {
                 place.matrix3.x_axis += place.matrix3.y_axis * 0.2;
             }
             Occluder::cuboid(place)
@@ -74,7 +74,7 @@ fn near_occluders_give_the_answers_of_all() {
 }
 
 #[test]
-fn boxes_that_are_no_boxes_have_no_relation() {
+fn wrong_boxes_have_no_relation() {
     let occluders = Occluders::new([Occluder::cuboid(glam::DAffine3::from_scale(DVec3::splat(2.0)))]);
     let everywhere = Bounds { low: DVec3::splat(-1e9), high: DVec3::splat(1e9) };
     let mut near = occluders.near(&everywhere, 1).expect("one occluder");
