@@ -68,14 +68,18 @@ pub(super) fn relate_aligned(half: DVec3, outer: DVec3, away: DVec3, tolerance: 
     let contact = wanted.touches && !is_inside && !overlaps && {
         // The part that both have in common, as extents.
         let common = (away + half).min(outer) - (away - half).max(-outer);
-        (0..3).any(|across| {
-            let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
-            let is_wide = 0.0 < a && 0.0 < b && tolerance * (a + b) < a * b;
-            let is_near = |side: f64| (side.abs() - outer[across]).abs() <= tolerance;
-            (is_solid || half[across] == 0.0)
-                && is_wide
-                && (is_near(away[across] + half[across]) || is_near(away[across] - half[across]))
-        })
+        // A face across an axis, by the position, half of the extents and the sides of the common area.
+        let is_common = |away: f64, half: f64, outer: f64, [a, b]: [f64; 2]| {
+            let is_near = |side: f64| (side.abs() - outer).abs() <= tolerance;
+            (is_solid || half == 0.0)
+                && 0.0 < a
+                && 0.0 < b
+                && tolerance * (a + b) < a * b
+                && (is_near(away + half) || is_near(away - half))
+        };
+        is_common(away.x, half.x, outer.x, [common.y, common.z])
+            || is_common(away.y, half.y, outer.y, [common.z, common.x])
+            || is_common(away.z, half.z, outer.z, [common.x, common.y])
     };
     Relation::of(is_inside, overlaps, contact)
 }

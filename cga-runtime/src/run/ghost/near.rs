@@ -15,7 +15,7 @@ use crate::run::tree_keys::{Kinship, Place, TreeNode};
 const MOST: usize = 32;
 
 /// The first distance from a query to the border of its region, in longest extents of its box.
-const FIRST_GROWTH: f64 = 2.0;
+const FIRST_GROWTH: f64 = 3.0;
 
 /// The least such distance.
 const LEAST_GROWTH: f64 = 0.5;
