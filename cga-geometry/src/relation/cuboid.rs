@@ -9,6 +9,15 @@ use crate::mesh::{Mesh, unit};
 /// The largest deviation from right angles and from the corners of a box, relative to its sides.
 const SKEW: f64 = 1e-9;
 
+/// A number above the square root of 3: no corner of a box is farther from its centre than this multiple of half of its longest side.
+pub(super) const CORNER: f64 = 1.75;
+
+/// A number that is not less than the largest coordinate of a box.
+#[inline]
+pub(super) fn far(centre: DVec3, half: DVec3) -> f64 {
+    centre.abs().max_element() + CORNER * half.abs().max_element()
+}
+
 /// A box with orthogonal sides. A rectangle has no extent along its last axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cuboid {

@@ -2,12 +2,10 @@
 
 use glam::{DMat3, DVec3};
 
+use super::cuboid::{CORNER, far};
 use super::query_geometry::{LARGEST, QueryGeometry};
 use crate::Axis;
 use crate::bounds::Bounds;
-
-/// A number above the square root of 3: no corner of a box is farther from its centre than this multiple of half of its longest side.
-const CORNER: f64 = 1.75;
 
 /// A box or a rectangle in the world, for [`query_box_near`](super::Occluders::query_box_near).
 #[derive(Clone, Copy, Debug)]
@@ -66,10 +64,4 @@ impl<'s> OrientedBox<'s> {
         let sum = self.centre + self.half;
         (sum.x + sum.y + sum.z).is_finite() && far <= LARGEST
     }
-}
-
-/// A number that is not less than the largest coordinate of a box.
-#[inline]
-pub(super) fn far(centre: DVec3, half: DVec3) -> f64 {
-    centre.abs().max_element() + CORNER * half.abs().max_element()
 }

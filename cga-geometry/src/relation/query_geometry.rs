@@ -4,8 +4,7 @@ use std::sync::OnceLock;
 
 use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles as _};
 
-use super::cuboid::Cuboid;
-use super::oriented_box;
+use super::cuboid::{Cuboid, far};
 use super::surface::Surface;
 use crate::bounds::Bounds;
 use crate::mesh::Mesh;
@@ -129,7 +128,7 @@ impl<'m> QueryGeometry<'m> {
     fn of(form: Form<'m>, bounds: Bounds, extent: f64) -> Self {
         let far = match &form {
             // As for boxes that are compared without a geometry.
-            Form::Cuboid(cuboid) => oriented_box::far(cuboid.centre, cuboid.half),
+            Form::Cuboid(cuboid) => far(cuboid.centre, cuboid.half),
             _ => bounds.low.abs().max(bounds.high.abs()).max_element(),
         };
         // Minima and maxima of coordinates leave NaN out, and sums do not.
