@@ -1,6 +1,6 @@
 //! Rules that ask about other shapes, beside the same rules without a query.
 //!
-//! `cargo bench --bench queries`. Twenty terraces of twenty houses, each with a tile for every window. In the first table a terrace is an
+//! `cargo bench --bench queries`, with `-- --instructions` instructions instead of times. Twenty terraces of twenty houses, each with a tile for every window. In the first table a terrace is an
 //! initial shape, in the second a house is one. A rule with a query has no templates, and a query of its own initial shape needs one more
 //! derivation. So the rules without a query have two rows: with templates, and with each repetition derived at its place.
 
@@ -12,6 +12,7 @@ use cga::parallel::run_all;
 use cga::sink::stats::Stats;
 use cga::{Grammar, Repeats, Scene, Settings, Shape, cga};
 use common::clock::{fastest, nanoseconds_each};
+use common::instructions::{Work, counted};
 use common::table::{Table, number};
 
 /// The seconds for which each row is repeated.
@@ -58,65 +59,103 @@ cga! {
 }
 
 /// A row: the name and a run that returns the number of leaves.
-type Row<'a> = (&'a str, &'a dyn Fn() -> u64);
+type Row = (&'static str, fn() -> Box<dyn FnMut() -> u64>);
 
-/// The runs of lots one after the other.
-fn alone(grammar: &dyn Grammar, lots: &[Shape], settings: &Settings) -> u64 {
-    let mut session = grammar.session(settings).expect("good settings");
-    lots.iter().map(|lot| session.run(lot, &mut Stats::new()).expect("no limit is reached").leaves).sum()
+/// The rows of a table. The times of others are divided by the times of the first two.
+type Rows = [Row; 4];
+
+/// The rules without a query in a terrace, and rules that ask about their own terrace.
+const OWN: Rows = [
+    ("none, with templates", || alone(Plain::default(), Repeats::default())),
+    ("none, in place", || alone(Plain::default(), Repeats::Direct)),
+    ("`contextCount(intra)` in each tile", || alone(Counting::default(), Repeats::default())),
+    ("`touches(intra)` in each tile", || alone(Touching::default(), Repeats::default())),
+];
+
+/// The rules without a query for each house, and rules that ask about the houses beside.
+const NEIGHBOURS: Rows = [
+    ("none, houses with templates", || all(Plain::default(), Repeats::default())),
+    ("none, houses in place", || all(Plain::default(), Repeats::Direct)),
+    ("none, houses in a `Scene`", || scene(Plain::default())),
+    ("`touches(inter)` in each tile", || scene(Party::default())),
+];
+
+/// Settings with a way to repeat parts.
+fn settings(repeats: Repeats) -> Settings {
+    Settings { repeats, ..Settings::default() }
 }
 
-/// A table of rows. Times are divided by the times of the two first ones.
-fn table(title: &str, [first, second, others @ ..]: [Row<'_>; 4]) {
+/// The low corner of a terrace.
+fn place(terrace: usize) -> [f64; 3] {
+    [0.0, 0.0, 20.0 * terrace as f64]
+}
+
+/// The run of the terraces one after the other.
+fn alone(grammar: impl Grammar + 'static, repeats: Repeats) -> Box<dyn FnMut() -> u64> {
+    let terrace =
+        |at: usize| Shape::rectangle(6.0 * HOUSES as f64, 10.0).at(place(at)).seed(at as u64).start("Terrace");
+    let terraces: Vec<Shape> = (0..HOUSES).map(terrace).collect();
+    let settings = settings(repeats);
+    Box::new(move || {
+        let mut session = grammar.session(&settings).expect("good settings");
+        terraces.iter().map(|lot| session.run(lot, &mut Stats::new()).expect("no limit is reached").leaves).sum()
+    })
+}
+
+/// The houses of all terraces.
+fn houses() -> Vec<Shape> {
+    let house = |at: usize| {
+        let [_, _, z] = place(at / HOUSES);
+        Shape::rectangle(6.0, 10.0).at([6.0 * (at % HOUSES) as f64, 0.0, z]).seed(at as u64).start("House")
+    };
+    (0..HOUSES * HOUSES).map(house).collect()
+}
+
+/// The run of the houses, each for itself.
+fn all(grammar: impl Grammar + Sync + 'static, repeats: Repeats) -> Box<dyn FnMut() -> u64> {
+    let (houses, settings) = (houses(), settings(repeats));
+    Box::new(move || {
+        run_all(&grammar, &houses, &settings, |_| Stats::new()).expect("no limit is reached").report().leaves
+    })
+}
+
+/// The run of a scene of houses.
+fn scene(grammar: impl Grammar + Sync + 'static) -> Box<dyn FnMut() -> u64> {
+    let (houses, settings) = (houses(), Settings::default());
+    Box::new(move || {
+        let scene = Scene::new(&grammar, &houses);
+        scene.run(&settings, |_| Stats::new()).expect("no limit is reached").report().leaves
+    })
+}
+
+/// A table of rows.
+fn table(title: &str, rows: Rows) {
     let columns = ["rules", "leaves", "ns a leaf", "in place = 1", "templates = 1"];
     let mut table = Table::new(title, &columns);
-    for row in [first, second].iter().chain(&others) {
-        let leaves = row.1();
+    let [mut first, mut second] = [rows[0], rows[1]].map(|(_, make)| make());
+    for (name, make) in rows {
+        let mut run = make();
+        let leaves = run();
         let [templates, in_place, own] = fastest(
             SECONDS,
-            [&mut || _ = black_box(first.1()), &mut || _ = black_box(second.1()), &mut || _ = black_box(row.1())],
+            [&mut || _ = black_box(first()), &mut || _ = black_box(second()), &mut || _ = black_box(run())],
         )
         .map(|time| nanoseconds_each(time, leaves as usize));
-        table.row(row.0, &[leaves.to_string(), number(own, 1), number(own / in_place, 2), number(own / templates, 2)]);
+        table.row(name, &[leaves.to_string(), number(own, 1), number(own / in_place, 2), number(own / templates, 2)]);
     }
     table.print();
 }
 
 fn main() {
-    let (kept, in_place) = (Settings::default(), Settings { repeats: Repeats::Direct, ..Settings::default() });
-    let place = |terrace: usize| [0.0, 0.0, 20.0 * terrace as f64];
-    let terraces: Vec<Shape> = (0..HOUSES)
-        .map(|at| Shape::rectangle(6.0 * HOUSES as f64, 10.0).at(place(at)).seed(at as u64).start("Terrace"))
-        .collect();
-    let house = |at: usize| {
-        let [_, _, z] = place(at / HOUSES);
-        Shape::rectangle(6.0, 10.0).at([6.0 * (at % HOUSES) as f64, 0.0, z]).seed(at as u64).start("House")
-    };
-    let houses: Vec<Shape> = (0..HOUSES * HOUSES).map(house).collect();
-    let (plain, touching, counting, party) =
-        (Plain::default(), Touching::default(), Counting::default(), Party::default());
-    table(
-        "Queries of the same initial shape",
-        [
-            ("none, with templates", &|| alone(&plain, &terraces, &kept)),
-            ("none, in place", &|| alone(&plain, &terraces, &in_place)),
-            ("`contextCount(intra)` in each tile", &|| alone(&counting, &terraces, &kept)),
-            ("`touches(intra)` in each tile", &|| alone(&touching, &terraces, &kept)),
-        ],
-    );
-    let all = |grammar: &(dyn Grammar + Sync), settings: &Settings| {
-        run_all(grammar, &houses, settings, |_| Stats::new()).expect("no limit is reached").report().leaves
-    };
-    let scene = |grammar: &(dyn Grammar + Sync)| {
-        Scene::new(grammar, &houses).run(&kept, |_| Stats::new()).expect("no limit is reached").report().leaves
-    };
-    table(
-        "Queries of neighbours",
-        [
-            ("none, with templates", &|| all(&plain, &kept)),
-            ("none, in place", &|| all(&plain, &in_place)),
-            ("none, in a `Scene`", &|| scene(&plain)),
-            ("`touches(inter)` in each tile", &|| scene(&party)),
-        ],
-    );
+    let works = OWN.into_iter().chain(NEIGHBOURS).map(|(name, make)| {
+        Work::new(name, move || {
+            let mut run = make();
+            (run() as usize, move || _ = black_box(run()))
+        })
+    });
+    if counted("Queries", "leaf", &works.collect::<Vec<_>>()) {
+        return;
+    }
+    table("Queries of the same initial shape", OWN);
+    table("Queries of neighbours", NEIGHBOURS);
 }

@@ -126,9 +126,16 @@ fn least_measure(a: &Bounds, b: &Bounds) -> f64 {
     (a.distance(b) - ROUNDING * far).max(0.0)
 }
 
-/// Returns true if two boxes have a common point.
+/// Returns true if two boxes have a common point. Most boxes are apart along the first axis that is compared.
+#[inline]
 pub(crate) fn overlap(a: &Bounds, b: &Bounds) -> bool {
-    a.low.cmple(b.high).all() && b.low.cmple(a.high).all()
+    let ([low, high], [other_low, other_high]) = ([a.low, a.high], [b.low, b.high]);
+    low.x <= other_high.x
+        && other_low.x <= high.x
+        && low.z <= other_high.z
+        && other_low.z <= high.z
+        && low.y <= other_high.y
+        && other_low.y <= high.y
 }
 
 /// Returns true if a ray meets a box. `inverse` are the reciprocals of the ray's direction, which has no component zero.

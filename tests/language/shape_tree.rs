@@ -5,8 +5,8 @@ use std::ops::ControlFlow;
 
 use cga::sink::buffers::Buffers;
 use cga::{
-    Building, Error, Flow, Grammar, Grammars, Leaf, Limits, Mesh, Model, Scope, Settings, Shape, ShapeTree, Sink,
-    Watch, cga,
+    Building, Error, Flow, Grammar, Grammars, Leaf, Limits, Mesh, Model, Scene, Scope, Settings, Shape, ShapeTree,
+    Sink, Watch, cga,
 };
 
 use crate::{lot, model};
@@ -443,4 +443,40 @@ cga! {
     grammar Deep;
     Lot --> Next(10000)
     Next(n) --> case 0 < n : Next(n - 1) else : X.
+}
+
+#[test]
+fn trees_of_rules_with_queries_are_trees_of_the_last_derivation() {
+    cga! {
+        grammar Asking = r#"
+            Lot --> extrude(10) split(x) { 5 : Block }*
+            Block --> case overlaps(intra) : NIL else : label("block") comp(f) { side : Facade | top : Roof }
+            Facade --> split(y) { ~5 : Tile }*
+            Tile --> case touches(intra) : Wall. case touches(inter) : Party. else : print(getTreeKey) Window.
+            Roof --> case contextCount(all, "block") < 6 : X. else : split(x) { ~1 : Slab }*
+            Slab --> case contextCompare(inter, "block", world.highest) == 0 : Slab. else : NIL
+        "#;
+    }
+    let lots = [Shape::rectangle(20.0, 10.0), Shape::rectangle(15.0, 10.0).at([20.0, 0.0, 0.0])];
+    let asking = Asking::default();
+    let scene = Scene::new(&asking, &lots);
+    let plain = |at: usize| scene.generate_lot(at, &Settings::default()).expect("a model");
+    for at in [0, 1] {
+        let model = scene.generate_lot(at, &with_tree()).expect("a model");
+        check(&model);
+        assert_eq!(model, plain(at));
+        let tree = tree_of(&model);
+        let of_rule = |rule: &str| tree.nodes().filter(|node| node.rule() == rule && node.leaf().is_some()).count();
+        for rule in ["Wall", "Party", "Window", "Slab"] {
+            assert_eq!(of_rule(rule), model.count(rule), "{rule} of {at}");
+        }
+        assert!([model.count("Wall"), model.count("Party"), model.count("Slab")].iter().all(|count| 0 < *count));
+        // The keys that rules print are the keys in the tree.
+        let windows: Vec<String> = tree
+            .nodes()
+            .filter(|node| node.rule() == "Tile" && node.children().any(|child| child.rule() == "Window"))
+            .map(|node| node.key())
+            .collect();
+        assert_eq!(windows, crate::lines(&model));
+    }
 }

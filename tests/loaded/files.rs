@@ -218,3 +218,31 @@ fn attributes_with_computed_names_are_set() {
     assert_eq!(model(&loaded), model(&Named::default()));
     assert_eq!(model(&loaded).0, ["0.25", "stone", "false"]);
 }
+
+#[test]
+fn loaded_rules_have_the_warnings_of_queries_in_vain() {
+    let warnings = |rules: &str, lib: &str| {
+        let loader = RuleFile::loader().with_file("lib.cga", lib);
+        loader.text(rules).expect("good rules").warnings().join("\n")
+    };
+    let rules = "import lib : \"lib.cga\"\nLot --> print(contextCount(intra, \"towr\")) lib.Lot";
+    // A loaded text has the name of a file, and other files may import it. So unknown labels are not reported, although the text is a whole
+    // program.
+    assert_eq!(warnings(rules, "Lot --> label(\"tower\") X."), "");
+    let found = warnings(rules, "Lot --> union { extrude(3) label(\"towr\") X. } Y.");
+    assert!(found.contains("this label is lost below `union`"), "{found}");
+    assert_eq!(warnings(rules, "Lot --> label(\"to\" + str(rint(rand(1)))) X."), "");
+    let found =
+        warnings("import lib : \"lib.cga\"\nattr hidden = touches(intra)\nLot --> print(hidden) lib.Lot", "Lot --> X.");
+    assert!(found.contains("always false in the value of an attribute or constant"), "{found}");
+    let empty = RuleFile::from_text("Lot --> label(\"\") X.").expect_err("an empty label").to_string();
+    assert!(empty.contains("`label` is empty"), "{empty}");
+}
+
+#[test]
+fn a_single_loaded_run_says_how_to_make_a_scene() {
+    let rules = RuleFile::from_text("Lot --> print(touches(inter)) X.").expect("good rules");
+    let model = rules.generate(&Shape::rectangle(3.0, 2.0)).expect("a model");
+    let faults: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+    assert!(faults.len() == 1 && faults[0].contains("`Scene::new(&grammar, &lots).generate(&settings)`"), "{faults:?}");
+}

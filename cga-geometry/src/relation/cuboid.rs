@@ -9,6 +9,15 @@ use crate::mesh::{Mesh, unit};
 /// The largest deviation from right angles and from the corners of a box, relative to its sides.
 const SKEW: f64 = 1e-9;
 
+/// A number above the square root of 3: no corner of a box is farther from its centre than this multiple of half of its longest side.
+pub(super) const CORNER: f64 = 1.75;
+
+/// A number that is not less than the largest coordinate of a box.
+#[inline]
+pub(super) fn far(centre: DVec3, half: DVec3) -> f64 {
+    centre.abs().max_element() + CORNER * half.abs().max_element()
+}
+
 /// A box with orthogonal sides. A rectangle has no extent along its last axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cuboid {
@@ -114,6 +123,7 @@ impl Cuboid {
     }
 
     /// The box along the axes of the world around it.
+    #[inline]
     pub(super) fn bounds(&self) -> Bounds {
         let DMat3 { x_axis, y_axis, z_axis } = self.axes;
         let half = x_axis.abs() * self.half.x + y_axis.abs() * self.half.y + z_axis.abs() * self.half.z;

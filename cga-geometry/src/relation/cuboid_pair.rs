@@ -21,31 +21,66 @@ const PARALLEL: f64 = 0.5;
 
 /// The relation of a box or a rectangle to a box.
 pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wanted: Relation) -> Relation {
+    if let Some(outer) = aligned_half(occluder, &geometry.axes) {
+        let away = geometry.axes.transpose() * (geometry.centre - occluder.centre);
+        return relate_aligned(geometry.half, outer, away, tolerance, wanted);
+    }
     let inverse = occluder.axes.transpose();
+    let axes = inverse * geometry.axes;
+    let sizes = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
     let pair = Pair {
         centre: inverse * (geometry.centre - occluder.centre),
-        axes: inverse * geometry.axes,
+        axes,
+        sizes,
         half: geometry.half,
+        reach: sizes * geometry.half,
         outer: occluder.half,
         tolerance,
     };
-    let reach = pair.aligned_reach();
-    let Some(depth) = (match reach {
-        Some(reach) => pair.aligned_depth(reach),
-        None => pair.depth(),
-    }) else {
-        return Relation::NONE;
-    };
+    let Some(depth) = pair.depth() else { return Relation::NONE };
     let is_inside = pair.is_inside();
     let is_thick = geometry.is_solid() || tolerance < 2.0 * occluder.half.min_element();
     let overlaps = tolerance < depth && is_thick;
-    let contact = wanted.touches
-        && !is_inside
-        && !overlaps
-        && match reach {
-            Some(reach) => pair.has_aligned_contact(reach, geometry.is_solid()),
-            None => pair.has_contact(geometry.is_solid()),
+    let contact = wanted.touches && !is_inside && !overlaps && pair.has_contact(geometry.is_solid());
+    Relation::of(is_inside, overlaps, contact)
+}
+
+/// Half of the extents of an occluder along some axes, if these are its own axes in any order. Most pairs of a building have the same axes.
+pub(super) fn aligned_half(occluder: &Cuboid, axes: &DMat3) -> Option<DVec3> {
+    let DMat3 { x_axis, y_axis, z_axis } = occluder.axes.transpose() * *axes;
+    let sizes = [x_axis.abs(), y_axis.abs(), z_axis.abs()];
+    let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
+    sizes.into_iter().all(is_axis).then(|| DVec3::from(sizes.map(|size| size.dot(occluder.half))))
+}
+
+/// [`relate`] for a geometry and an occluder with the same axes: half of their extents, and the way from the centre of the occluder to the
+/// centre of the geometry, along these axes. A rectangle has one extent of 0.
+#[inline]
+pub(super) fn relate_aligned(half: DVec3, outer: DVec3, away: DVec3, tolerance: f64, wanted: Relation) -> Relation {
+    let depth = (outer + half - away.abs()).min_element();
+    if depth < -tolerance {
+        return Relation::NONE;
+    }
+    let is_solid = half.cmpne(DVec3::ZERO).all();
+    let is_inside = (away.abs() + half).cmple(outer + tolerance).all();
+    let is_thick = is_solid || tolerance < 2.0 * outer.min_element();
+    let overlaps = tolerance < depth && is_thick;
+    let contact = wanted.touches && !is_inside && !overlaps && {
+        // The part that both have in common, as extents.
+        let common = (away + half).min(outer) - (away - half).max(-outer);
+        // A face across an axis, by the position, half of the extents and the sides of the common area.
+        let is_common = |away: f64, half: f64, outer: f64, [a, b]: [f64; 2]| {
+            let is_near = |side: f64| (side.abs() - outer).abs() <= tolerance;
+            (is_solid || half == 0.0)
+                && 0.0 < a
+                && 0.0 < b
+                && tolerance * (a + b) < a * b
+                && (is_near(away + half) || is_near(away - half))
         };
+        is_common(away.x, half.x, outer.x, [common.y, common.z])
+            || is_common(away.y, half.y, outer.y, [common.z, common.x])
+            || is_common(away.z, half.z, outer.z, [common.x, common.y])
+    };
     Relation::of(is_inside, overlaps, contact)
 }
 
@@ -53,62 +88,31 @@ pub(super) fn relate(geometry: &Cuboid, occluder: &Cuboid, tolerance: f64, wante
 struct Pair {
     centre: DVec3,
     axes: DMat3,
+    /// The sizes of the components of the axes.
+    sizes: DMat3,
     half: DVec3,
+    /// Half of the extents of the geometry along the axes of the occluder.
+    reach: DVec3,
     /// Half of the sides of the occluder.
     outer: DVec3,
     tolerance: f64,
 }
 
 impl Pair {
-    /// Half of the extents of the geometry along the axes of the occluder, if it has the same axes in any order. Most pairs of a building have.
-    #[inline]
-    fn aligned_reach(&self) -> Option<DVec3> {
-        let DMat3 { x_axis, y_axis, z_axis } = self.axes;
-        let [x, y, z] = [x_axis.abs(), y_axis.abs(), z_axis.abs()];
-        let is_axis = |axis: DVec3| axis.x + axis.y + axis.z <= axis.max_element() + SKEW;
-        (is_axis(x) && is_axis(y) && is_axis(z)).then(|| x * self.half.x + y * self.half.y + z * self.half.z)
-    }
-
-    /// [`depth`](Pair::depth) of a geometry with the same axes.
-    #[inline]
-    fn aligned_depth(&self, reach: DVec3) -> Option<f64> {
-        let depth = (self.outer + reach - self.centre.abs()).min_element();
-        (-self.tolerance <= depth).then_some(depth)
-    }
-
-    /// [`has_contact`](Pair::has_contact) of a geometry with the same axes.
-    fn has_aligned_contact(&self, reach: DVec3, is_solid: bool) -> bool {
-        let Pair { centre, outer, tolerance, axes, .. } = self;
-        // The part that both have in common, as extents.
-        let common = (*centre + reach).min(*outer) - (*centre - reach).max(-*outer);
-        (0..3).any(|across| {
-            if !is_solid && axes.z_axis[across].abs() < PARALLEL {
-                return false;
-            }
-            let [a, b] = [common[(across + 1) % 3], common[(across + 2) % 3]];
-            let is_wide = 0.0 < a && 0.0 < b && tolerance * (a + b) < a * b;
-            let is_near = |side: f64| (side.abs() - outer[across]).abs() <= *tolerance;
-            is_wide && (is_near(centre[across] + reach[across]) || is_near(centre[across] - reach[across]))
-        })
-    }
-
     /// The length of the shortest move that separates the two. `None` if they are farther apart than the tolerance.
-    #[inline]
     fn depth(&self) -> Option<f64> {
-        let Pair { centre, axes, half, outer, tolerance } = self;
-        let [x, y, z] = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
-        let reach = x.abs() + y.abs() + z.abs();
-        let depths = *outer + reach - centre.abs();
+        let Pair { centre, axes, sizes, half, reach, outer, tolerance } = self;
+        let depths = *outer + *reach - centre.abs();
         let mut depth = depths.min_element();
         if depth < -tolerance {
             return None;
         }
         // Along the axes of the geometry.
-        let sizes = DMat3::from_cols(axes.x_axis.abs(), axes.y_axis.abs(), axes.z_axis.abs());
         depth = depth.min((*half + sizes.transpose() * *outer - (axes.transpose() * *centre).abs()).min_element());
         if depth < -tolerance {
             return None;
         }
+        let [x, y, z] = [axes.x_axis * half.x, axes.y_axis * half.y, axes.z_axis * half.z];
         for side in [axes.x_axis, axes.y_axis, axes.z_axis] {
             for across in
                 [DVec3::new(0.0, side.z, -side.y), DVec3::new(-side.z, 0.0, side.x), DVec3::new(side.y, -side.x, 0.0)]
@@ -130,9 +134,7 @@ impl Pair {
 
     /// Returns true if no corner is farther outside than the tolerance.
     fn is_inside(&self) -> bool {
-        let Pair { centre, axes, half, outer, tolerance } = self;
-        let reach = axes.x_axis.abs() * half.x + axes.y_axis.abs() * half.y + axes.z_axis.abs() * half.z;
-        (centre.abs() + reach).cmple(*outer + *tolerance).all()
+        (self.centre.abs() + self.reach).cmple(self.outer + self.tolerance).all()
     }
 
     /// Returns true if a face of the geometry has an area in common with a face of the box.

@@ -43,7 +43,9 @@ mod budget;
 mod convex_polygon;
 mod cuboid;
 mod cuboid_pair;
+mod near;
 mod occluders;
+mod oriented_box;
 mod plane_cut;
 mod query_geometry;
 mod segment_pair;
@@ -52,7 +54,9 @@ mod surface;
 mod surface_pair;
 mod tolerance;
 
+pub use near::NearOccluders;
 pub use occluders::{Occluder, Occluders};
+pub use oriented_box::OrientedBox;
 pub use query_geometry::QueryGeometry;
 
 /// The answers for a geometry. Whatever is `inside` or `overlaps` also `touches`.
@@ -99,7 +103,8 @@ impl Relation {
     }
 
     /// The answers that do not hold in another relation.
-    pub(crate) const fn without(self, other: Relation) -> Relation {
+    #[must_use]
+    pub const fn without(self, other: Relation) -> Relation {
         Relation {
             inside: self.inside & !other.inside,
             overlaps: self.overlaps & !other.overlaps,

@@ -79,24 +79,24 @@ impl From<(Arc<Mesh>, DAffine3)> for Occluder {
 /// Their faces are prepared when a query needs them for the first time.
 #[derive(Debug, Default)]
 pub struct Occluders {
-    tree: BoundsTree,
+    pub(super) tree: BoundsTree,
     /// The box of each solid.
-    bounds: Vec<Bounds>,
-    solids: Vec<Solid>,
+    pub(super) bounds: Vec<Bounds>,
+    pub(super) solids: Vec<Solid>,
     /// The largest coordinate.
-    far: f64,
+    pub(super) far: f64,
     count: usize,
 }
 
 #[derive(Debug)]
-struct Solid {
+pub(super) struct Solid {
     /// The number of the occluder.
-    number: u32,
+    pub(super) number: u32,
     /// The longest side.
-    extent: f64,
+    pub(super) extent: f64,
     /// The largest coordinate.
-    far: f64,
-    cuboid: Option<Cuboid>,
+    pub(super) far: f64,
+    pub(super) cuboid: Option<Cuboid>,
     /// `None` for a box.
     source: Option<Box<Occluder>>,
     surface: OnceLock<Box<Surface>>,
@@ -163,31 +163,59 @@ impl Occluders {
         wanted: Relation,
         accept: &mut dyn FnMut(u32) -> bool,
     ) -> (Relation, usize) {
-        let mut found = Relation::NONE;
-        if matches!(geometry.form, Form::Nothing) || wanted == Relation::NONE {
-            return (found, 0);
+        let mut search = Search { occluders: self, geometry, wanted, found: Relation::NONE };
+        if search.is_over() {
+            return (search.found, 0);
         }
-        let margin = largest_tolerance(self.far.max(geometry.far));
-        let wide = Bounds { low: geometry.bounds.low - margin, high: geometry.bounds.high + margin };
+        let reach = self.reach(&geometry.bounds);
         let compared = self.tree.visit(
-            |bounds| overlap(bounds, &wide),
-            |solid| {
-                if overlap(&self.bounds[solid as usize], &wide) {
-                    let solid = &self.solids[solid as usize];
-                    if accept(solid.number) {
-                        found = found.or(solid.relation(geometry, wanted.without(found)).and(wanted));
-                    }
-                }
-                found != wanted
-            },
+            |bounds| overlap(bounds, &reach),
+            |at| !overlap(&self.bounds[at as usize], &reach) || search.compare(at, accept),
         );
-        (found, compared)
+        (search.found, compared)
+    }
+
+    /// The box that meets the boxes of all occluders to which a geometry can have a relation: the box around the geometry, wider by the
+    /// tolerance.
+    #[inline]
+    pub fn reach(&self, bounds: &Bounds) -> Bounds {
+        let far = bounds.low.abs().max(bounds.high.abs()).max_element();
+        let margin = largest_tolerance(self.far.max(far));
+        Bounds { low: bounds.low - margin, high: bounds.high + margin }
+    }
+}
+
+/// The comparison of a geometry with occluders.
+pub(super) struct Search<'s> {
+    pub(super) occluders: &'s Occluders,
+    pub(super) geometry: &'s QueryGeometry<'s>,
+    pub(super) wanted: Relation,
+    pub(super) found: Relation,
+}
+
+impl Search<'_> {
+    /// Returns true if all answers are found before the search.
+    #[inline]
+    pub(super) fn is_over(&self) -> bool {
+        matches!(self.geometry.form, Form::Nothing) || self.wanted == Relation::NONE
+    }
+
+    /// Compares the geometry with an occluder. Returns true while answers are missing.
+    #[inline]
+    pub(super) fn compare(&mut self, at: u32, accept: &mut dyn FnMut(u32) -> bool) -> bool {
+        let Some(solid) = self.occluders.solids.get(at as usize) else { return true };
+        if !accept(solid.number) {
+            return true;
+        }
+        let relation = solid.relation(self.geometry, self.wanted.without(self.found));
+        self.found = self.found.or(relation.and(self.wanted));
+        self.found != self.wanted
     }
 }
 
 impl Solid {
     /// The relation of a geometry to the solid, at least the `wanted` answers.
-    fn relation(&self, geometry: &QueryGeometry<'_>, wanted: Relation) -> Relation {
+    pub(super) fn relation(&self, geometry: &QueryGeometry<'_>, wanted: Relation) -> Relation {
         let tolerance = tolerance([self.extent, geometry.extent], self.far.max(geometry.far));
         match (&geometry.form, &self.cuboid) {
             (Form::Nothing, _) => Relation::NONE,

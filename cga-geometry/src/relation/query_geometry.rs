@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 
 use glam::{DAffine3, DMat3, DVec3, Vec3Swizzles as _};
 
-use super::cuboid::Cuboid;
+use super::cuboid::{Cuboid, far};
 use super::surface::Surface;
 use crate::bounds::Bounds;
 use crate::mesh::Mesh;
@@ -71,6 +71,7 @@ impl<'m> QueryGeometry<'m> {
     /// let face = QueryGeometry::oriented(DVec3::new(0.5, 1.0, 0.5), DMat3::IDENTITY, DVec3::new(0.5, 0.0, 0.5));
     /// assert_eq!(cube.query(&face, Relation::ALL, &mut |_| true), Relation { overlaps: false, ..Relation::ALL });
     /// ```
+    #[inline]
     pub fn oriented(centre: DVec3, axes: DMat3, half: DVec3) -> Self {
         let half = half.abs();
         let DMat3 { x_axis, y_axis, z_axis } = axes;
@@ -83,6 +84,12 @@ impl<'m> QueryGeometry<'m> {
         };
         let cuboid = Cuboid { centre, axes, half };
         Self::of(Form::Cuboid(cuboid), cuboid.bounds(), cuboid.extent())
+    }
+
+    /// The box around the geometry, along the axes of the world; empty for a geometry without a relation to any occluder.
+    #[inline]
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
     }
 
     /// The rectangle, or parallelogram, with a corner and two sides from it.
@@ -117,11 +124,17 @@ impl<'m> QueryGeometry<'m> {
         Self::of(Form::Faces(faces), bounds, bounds.size().max_element())
     }
 
+    #[inline]
     fn of(form: Form<'m>, bounds: Bounds, extent: f64) -> Self {
-        let far = bounds.low.abs().max(bounds.high.abs()).max_element();
-        // Minima and maxima of coordinates leave NaN out.
-        let is_sum_finite = (bounds.low + bounds.high).is_finite() && form.is_finite();
-        if !is_sum_finite || LARGEST < far {
+        let far = match &form {
+            // As for boxes that are compared without a geometry.
+            Form::Cuboid(cuboid) => far(cuboid.centre, cuboid.half),
+            _ => bounds.low.abs().max(bounds.high.abs()).max_element(),
+        };
+        // Minima and maxima of coordinates leave NaN out, and sums do not.
+        let sum = bounds.low + bounds.high;
+        let is_finite = (sum.x + sum.y + sum.z).is_finite() && form.is_finite();
+        if !is_finite || LARGEST < far {
             let (form, bounds) = (Form::Nothing, Bounds::EMPTY);
             return QueryGeometry { form, bounds, extent: 0.0, far: 0.0, surface: OnceLock::new() };
         }
@@ -140,10 +153,12 @@ impl<'m> QueryGeometry<'m> {
 }
 
 impl Form<'_> {
+    #[inline]
     fn is_finite(&self) -> bool {
         match self {
             Form::Nothing => false,
-            Form::Cuboid(cuboid) => cuboid.centre.is_finite() && cuboid.half.is_finite(),
+            // Its bounds are sums of all coordinates, and so is their sum.
+            Form::Cuboid(_) => true,
             Form::Mesh(mesh, placement) => is_finite(mesh, placement),
             Form::Faces(faces) => faces.iter().flatten().all(|corner| corner.is_finite()),
             Form::Segment(ends) => ends.iter().all(|end| end.is_finite()),

@@ -8,7 +8,9 @@ const OPERATIONS: f64 = 64.0;
 /// The tolerance between an occluder and a geometry, in metres, from the longest extents of both and the largest coordinate.
 #[inline]
 pub(super) fn tolerance(extents: [f64; 2], far: f64) -> f64 {
-    let smaller = extents.into_iter().filter(|extent| 0.0 < *extent).fold(f64::INFINITY, f64::min);
+    let [a, b] = extents;
+    let smaller = if a <= 0.0 || 0.0 < b && b < a { b } else { a };
+    let smaller = if 0.0 < smaller { smaller } else { f64::INFINITY };
     CONTACT_DISTANCE.min(CONTACT_EPSILON * smaller).max(rounding(far))
 }
 

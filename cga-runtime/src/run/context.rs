@@ -212,17 +212,19 @@ fn leaf_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, 
 #[cold]
 #[inline(never)]
 fn symbol_at_checkpoint(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
-    env.make_room(1)?;
-    recorded_symbol(env, sink, shape, rule)
-}
-
-/// Passes a leaf symbol, for which there is room, to the sink, and records its shape if the run records its tree.
-#[cold]
-#[inline(never)]
-pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    if !env.has_quiet_room(1) {
+        env.make_room(1)?;
+    }
     if env.only_counts_symbol() {
         return filled(env, sink, shape, rule);
     }
+    recorded_symbol(env, sink, shape, rule)
+}
+
+/// Passes a leaf symbol, for which there is room, to the sink, and records its shape.
+#[cold]
+#[inline(never)]
+pub(crate) fn recorded_symbol(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     let recorded = env.record_symbol(shape, rule);
     recorded_leaf(env, sink, shape, rule, recorded)
 }

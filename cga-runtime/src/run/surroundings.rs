@@ -2,10 +2,8 @@
 
 use std::sync::Arc;
 
-use super::ghost::{self, ContextComparison, Ghost, LabelIndex, LabelledShape};
-use crate::geometry::relation::Relation;
-use crate::run::tree_keys::Place;
-use crate::shape::body::Body;
+use super::ghost::near::AskedGhosts;
+use super::ghost::{ContextComparison, Ghost, LabelIndex, LabelledShape};
 use crate::shape::scope::Scope;
 
 /// The initial shapes that a query asks about (*occlusion queries*).
@@ -80,28 +78,10 @@ impl LabelledNeighbours {
 }
 
 impl Surroundings {
-    /// Returns true if shapes of a target are known.
-    pub(crate) fn has_any(&self, target: QueryTarget) -> bool {
-        self.own(target).is_some() || self.neighbours(target).is_some()
-    }
-
-    /// The wanted answers for a shape, among the closed shapes of a target with a label, or all without one. `place` is the place of the query
-    /// in the tree of its shapes.
-    pub(crate) fn relation(
-        &self,
-        target: QueryTarget,
-        shape: &Body,
-        wanted: Relation,
-        label: Option<&str>,
-        place: Option<Place<'_>>,
-    ) -> Relation {
-        let neighbours = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
-        let own = self.own(target).map(|ghost| (ghost, place));
-        let ghosts = || own.into_iter().chain(neighbours.iter().map(|ghost| (&**ghost, None)));
-        ghost::body::relation(shape, &mut |query| {
-            let answers = ghosts().map(|(ghost, place)| ghost.occluders().relation(query, wanted, label, place));
-            answers.fold(Relation::NONE, Relation::or)
-        })
+    /// The ghosts with the closed shapes of a target.
+    pub(crate) fn occluding(&self, target: QueryTarget) -> AskedGhosts<'_> {
+        let others = self.neighbours(target).map_or(&[][..], |neighbours| &neighbours.occlusion);
+        AskedGhosts { own: self.own(target), others }
     }
 
     /// The distance from a scope to the nearest scope with a label, in metres; infinite without one.

@@ -48,8 +48,32 @@ pub(crate) struct Place<'k> {
     node: TreeNode,
 }
 
+/// The kinship of a shape with a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kinship {
+    /// It is the place or an ancestor, at a depth.
+    Above(u32),
+    /// It is a descendant.
+    Below,
+    /// Their ancestors differ from a depth on.
+    Beside(u32),
+}
+
 /// Marks the number of a part.
 const PART: u32 = 1 << 31;
+
+impl Place<'_> {
+    /// The ancestor of the place at a depth.
+    pub(crate) fn ancestor(self, depth: u32) -> TreeNode {
+        self.keys.ancestor(self.node, depth)
+    }
+
+    /// Returns true if the place is a shape of its tree or is below it.
+    #[inline]
+    pub(crate) fn is_at_or_below(self, above: TreeNode) -> bool {
+        self.keys.is_at_or_below(self.node, above)
+    }
+}
 
 impl Node {
     fn is_part(&self) -> bool {
@@ -161,31 +185,51 @@ impl TreeKeys {
         numbers
     }
 
-    /// Returns true if a shape is at a place of another tree, or is an ancestor or descendant of it.
-    pub(crate) fn is_in_line(&self, node: TreeNode, place: Place<'_>) -> bool {
-        let (own, other) = (self.at(node.0), place.keys.at(place.node.0));
-        let (mut own, mut other) = (self.up_to(own, other.depth), place.keys.up_to(other, own.depth));
-        loop {
+    /// The kinship of a shape with a place of another tree.
+    pub(crate) fn kinship(&self, node: TreeNode, place: Place<'_>) -> Kinship {
+        let [(nodes, own), (others, other)] = [(&*self.nodes, node.0), (&*place.keys.nodes, place.node.0)];
+        let [mut own, mut other] = [&nodes[own as usize], &others[other as usize]];
+        let above = own.depth;
+        let is_below = other.depth < own.depth;
+        while own.depth < other.depth {
+            other = &others[other.parent as usize];
+        }
+        while other.depth < own.depth {
+            own = &nodes[own.parent as usize];
+        }
+        // The least depth at which the two differ.
+        let mut beside = None;
+        while own.depth != 0 {
             if own.number != other.number {
-                return false;
+                beside = Some(own.depth);
             }
-            if own.depth == 0 {
-                return true;
-            }
-            (own, other) = (self.at(own.parent), place.keys.at(other.parent));
+            (own, other) = (&nodes[own.parent as usize], &others[other.parent as usize]);
+        }
+        match beside {
+            Some(depth) => Kinship::Beside(depth),
+            None if is_below => Kinship::Below,
+            None => Kinship::Above(above),
         }
     }
 
-    fn at(&self, node: u32) -> Node {
-        self.nodes[node as usize]
+    /// The ancestor of a shape at a depth; the shape itself at its own depth or below.
+    pub(crate) fn ancestor(&self, node: TreeNode, depth: u32) -> TreeNode {
+        let mut at = node.0;
+        while depth < self.nodes[at as usize].depth {
+            at = self.nodes[at as usize].parent;
+        }
+        TreeNode(at)
     }
 
-    /// The ancestor with at most a depth, or the node itself.
-    fn up_to(&self, mut node: Node, depth: u32) -> Node {
-        while depth < node.depth {
-            node = self.at(node.parent);
+    /// Returns true if a shape is another shape of this tree or is below it.
+    #[inline]
+    pub(crate) fn is_at_or_below(&self, node: TreeNode, above: TreeNode) -> bool {
+        // A shape comes after its ancestors.
+        let mut at = node.0;
+        while above.0 < at {
+            at = self.nodes[at as usize].parent;
         }
-        node
+        at == above.0
     }
 
     /// Begins an operand of the rule at a level. Its shapes are not in the tree: they have keys below the current shape, which the end of
@@ -208,6 +252,7 @@ impl TreeKeys {
         (self.path, self.resumed, self.waiting) = (before.path, before.resumed, before.waiting);
     }
 
+    #[inline]
     fn parent(&self, level: usize) -> u32 {
         match level.checked_sub(1) {
             Some(above) => self.path.get(above).copied().unwrap_or_default(),
@@ -231,6 +276,7 @@ impl TreeKeys {
     }
 
     /// The number of the next child of the rule at a level.
+    #[inline]
     fn next_number(&mut self, level: usize, parent: u32) -> u32 {
         let reserved = if level == 0 { self.resumed.as_mut().and_then(|resumed| resumed.number.take()) } else { None };
         reserved.unwrap_or_else(|| {
@@ -242,6 +288,7 @@ impl TreeKeys {
     }
 
     /// Adds a child of the rule at a level.
+    #[inline]
     fn add(&mut self, level: usize) -> u32 {
         let parent = self.parent(level);
         let number = self.next_number(level, parent);
@@ -254,6 +301,11 @@ impl TreeKeys {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Returns true if a shape is at a place of another tree, or is an ancestor or descendant of it.
+    fn is_in_line(keys: &TreeKeys, node: TreeNode, place: Place<'_>) -> bool {
+        !matches!(keys.kinship(node, place), Kinship::Beside(_))
+    }
 
     #[test]
     fn children_are_numbered_in_order() {
@@ -300,9 +352,9 @@ mod tests {
         keys.end_part();
         keys.end_part();
         assert_eq!([keys.key(first), keys.key(in_first), keys.key(in_second)], [vec![0], vec![0, 0], vec![0, 1]]);
-        assert!(keys.is_in_line(first, keys.place(in_first)) && keys.is_in_line(in_first, keys.place(first)));
-        assert!(!keys.is_in_line(first, keys.place(in_second)) && !keys.is_in_line(in_second, keys.place(first)));
-        assert!(keys.is_in_line(keys.current(1), keys.place(in_second)));
+        assert!(is_in_line(&keys, first, keys.place(in_first)) && is_in_line(&keys, in_first, keys.place(first)));
+        assert!(!is_in_line(&keys, first, keys.place(in_second)) && !is_in_line(&keys, in_second, keys.place(first)));
+        assert!(is_in_line(&keys, keys.current(1), keys.place(in_second)));
     }
 
     #[test]
@@ -329,9 +381,9 @@ mod tests {
         keys.enter(2);
         let (parent, child, sibling) = (keys.current(2), keys.symbol(2), keys.symbol(2));
         let place = keys.place(parent);
-        assert!([parent, child, keys.current(0)].into_iter().all(|node| keys.is_in_line(node, place)));
+        assert!([parent, child, keys.current(0)].into_iter().all(|node| is_in_line(&keys, node, place)));
         let place = keys.place(child);
-        assert!(keys.is_in_line(parent, place) && !keys.is_in_line(sibling, place));
+        assert!(is_in_line(&keys, parent, place) && !is_in_line(&keys, sibling, place));
         // The same places in another tree.
         let mut other = TreeKeys::default();
         other.enter(1);
@@ -339,8 +391,8 @@ mod tests {
         other.count_symbol(1);
         other.enter(2);
         let cousin = other.symbol(2);
-        assert!(keys.is_in_line(parent, other.place(uncle)) && keys.is_in_line(child, other.place(uncle)));
-        assert!(!keys.is_in_line(parent, other.place(cousin)) && !keys.is_in_line(child, other.place(cousin)));
+        assert!(is_in_line(&keys, parent, other.place(uncle)) && is_in_line(&keys, child, other.place(uncle)));
+        assert!(!is_in_line(&keys, parent, other.place(cousin)) && !is_in_line(&keys, child, other.place(cousin)));
         assert_eq!(other.key(cousin), [0, 2, 0]);
     }
 }

@@ -23,6 +23,7 @@ impl From<&Shape> for Body {
 }
 
 impl From<&ShapeRef<'_>> for Body {
+    #[inline]
     fn from(shape: &ShapeRef<'_>) -> Self {
         Body { scope: shape.scope(), geometry: shape.geometry() }
     }

@@ -2,8 +2,11 @@
 
 use glam::DVec3;
 
-use super::{Shape, ShapeRef};
+use super::{Geometry, Shape, ShapeRef};
+use crate::geometry::relation::OrientedBox;
+use crate::shape::base::Form;
 use crate::shape::body::Body;
+use crate::shape::scope::Scope;
 use crate::value::Value;
 
 /// A shape, slim or whole, for the expressions of rules.
@@ -31,6 +34,9 @@ pub trait View {
 
     /// The geometry in its scope.
     fn body(&self) -> Body;
+
+    /// The geometry, if it is a box or a rectangle.
+    fn cuboid(&self) -> Option<OrientedBox<'_>>;
 }
 
 impl View for Shape {
@@ -66,6 +72,15 @@ impl View for Shape {
 
     fn body(&self) -> Body {
         Body::from(self)
+    }
+
+    fn cuboid(&self) -> Option<OrientedBox<'_>> {
+        let Scope { origin, axes, size } = &self.scope;
+        match self.geometry {
+            Geometry::Rect(axis, _) => Some(OrientedBox::rectangle(*origin, axes, *size, axis)),
+            Geometry::Box(_) => Some(OrientedBox::new(*origin, axes, *size)),
+            _ => None,
+        }
     }
 }
 
@@ -110,5 +125,15 @@ impl View for &ShapeRef<'_> {
 
     fn body(&self) -> Body {
         Body::from(*self)
+    }
+
+    #[inline]
+    fn cuboid(&self) -> Option<OrientedBox<'_>> {
+        let (origin, axes, size) = (ShapeRef::origin(self), &self.axes.matrix, self.size.get());
+        match self.form {
+            Form::Rect(axis) => Some(OrientedBox::rectangle(origin, axes, size, axis)),
+            Form::Box => Some(OrientedBox::new(origin, axes, size)),
+            Form::Empty | Form::Other => None,
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Relations of geometries in all positions.
 
 mod facts;
+mod near;
 mod random;
 
 use std::sync::Arc;

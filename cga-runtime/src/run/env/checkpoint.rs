@@ -57,12 +57,14 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub(crate) fn make_room(&mut self, more: u64) -> Flow {
+        if self.has_quiet_room(more) { ControlFlow::Continue(()) } else { self.make_room_beyond(more) }
+    }
+
+    /// Handles a request for `more` shapes at a limit, for the watch or while room is measured.
+    #[cold]
+    #[inline(never)]
+    fn make_room_beyond(&mut self, more: u64) -> Flow {
         let wanted = self.shape_count().saturating_add(more);
-        let measures_room = self.measures_room();
-        // In a run that records its tree or keys, the checkpoint stays 0.
-        if self.stops_at_each_shape() && !measures_room && wanted <= self.checkpoint.quiet {
-            return ControlFlow::Continue(());
-        }
         let limit = self.most_shapes();
         if limit < wanted {
             return self.too_many_shapes();
@@ -77,6 +79,13 @@ impl Env {
         }
         self.checkpoint.shapes = limit.min(wanted.saturating_add(STRIDE));
         self.ask_watch()
+    }
+
+    /// Returns true if `more` shapes pass the checkpoint only because it stays 0, as in a run that records its tree or keys.
+    #[inline]
+    pub(crate) fn has_quiet_room(&self, more: u64) -> bool {
+        let wanted = self.shape_count().saturating_add(more);
+        self.stops_at_each_shape() && !self.measures_room() && wanted <= self.checkpoint.quiet
     }
 
     /// Returns true if `more` shapes do not pass the limit.

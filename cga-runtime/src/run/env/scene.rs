@@ -5,10 +5,11 @@
 use super::Env;
 use crate::fault::FaultKind;
 use crate::geometry::relation::Relation;
-use crate::run::ghost::{Collect, Ghost, GhostBuilder};
+use crate::run::ghost::near::{NearQueries, OcclusionQuery};
+use crate::run::ghost::{Collect, Ghost, GhostBuilder, body};
 use crate::run::settings::Repeats;
 use crate::run::surroundings::{QueryTarget, Surroundings};
-use crate::run::tree_keys::{KeysBeforeOperand, Place, TreeKeys, TreeNode};
+use crate::run::tree_keys::{KeysBeforeOperand, TreeKeys, TreeNode};
 use crate::shape::ShapeRef;
 use crate::shape::body::Body;
 use crate::shape::view::View;
@@ -18,6 +19,8 @@ use crate::value::text::Text;
 #[derive(Debug, Default)]
 pub(crate) struct SceneState {
     pub(crate) around: Surroundings,
+    /// By target, the closed shapes near the last queries.
+    near: [NearQueries; 3],
     /// The keys of the shapes so far, if a rule or the ghost needs them.
     keys: Option<Box<TreeKeys>>,
     /// The ghost under construction. Operands are not collected.
@@ -84,11 +87,6 @@ impl Env {
         }
     }
 
-    /// The place of the current shape in the tree of shapes, if keys are recorded.
-    fn place(&self) -> Option<Place<'_>> {
-        self.scene.keys.as_ref().map(|keys| keys.place(keys.current(self.trail.len())))
-    }
-
     /// Returns true if shapes are collected for queries and a rule leaves none if it gets this shape. The rule makes no labels, and solids of
     /// flat faces only if `makes_solids`.
     #[inline]
@@ -145,6 +143,7 @@ impl Env {
             keys.end_operand(before);
         }
         self.scene.ghost = before.ghost;
+        self.scene.near.iter_mut().for_each(NearQueries::forget);
     }
 
     /// Reports a query of other initial shapes in a run that knows none, as it is not part of a scene.
@@ -165,10 +164,17 @@ impl Env {
         wanted: Relation,
     ) -> Relation {
         self.expect_scene(target);
-        if !self.scene.around.has_any(target) {
+        let SceneState { around, keys, near, .. } = &mut self.scene;
+        let ghosts = around.occluding(target);
+        if ghosts.is_empty() {
             return Relation::NONE;
         }
-        let label = Some(label).filter(|label| !label.is_empty());
-        self.scene.around.relation(target, &shape.body(), wanted, label, self.place())
+        let place = keys.as_ref().map(|keys| keys.place(keys.current(self.trail.len())));
+        let query = OcclusionQuery { wanted, label: Some(label).filter(|label| !label.is_empty()), place };
+        let near = &mut near[target as usize];
+        if let Some(geometry) = shape.cuboid() {
+            return near.relation_of_box(ghosts, &geometry, query);
+        }
+        body::relation(&shape.body(), |geometry| near.relation(ghosts, geometry, query))
     }
 }

@@ -33,7 +33,9 @@ impl Env {
     #[cold]
     #[inline(never)]
     pub(crate) fn enter(&mut self, shape: &ShapeRef<'_>) -> Flow {
-        self.make_room(0)?;
+        if !self.has_quiet_room(0) {
+            self.make_room(0)?;
+        }
         let level = self.trail.len();
         if let Some(keys) = self.keys() {
             keys.enter(level);
@@ -81,6 +83,7 @@ impl Env {
     }
 
     /// Counts a leaf symbol in a run that needs no more of leaves. Returns false if it does: it records its tree, or collects closed shapes.
+    #[inline]
     pub(crate) fn only_counts_symbol(&mut self) -> bool {
         if self.tree.is_some() || self.collects_occluders() {
             return false;

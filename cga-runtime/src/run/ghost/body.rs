@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DMat3};
 
-use crate::geometry::relation::{Occluder, QueryGeometry, Relation};
+use crate::geometry::relation::{Occluder, OrientedBox, QueryGeometry, Relation};
 use crate::shape::Geometry;
 use crate::shape::body::Body;
 use crate::shape::scope::Scope;
@@ -26,17 +26,13 @@ pub(super) fn occluder(body: &Body) -> Option<Occluder> {
 
 /// The relation that `ask` finds for the geometry of a shape. A shape of several edges or points is inside if each of them is; it overlaps
 /// or touches if one of them does. A shape without geometry has none.
-pub(crate) fn relation(body: &Body, ask: &mut dyn FnMut(&QueryGeometry<'_>) -> Relation) -> Relation {
+pub(crate) fn relation(body: &Body, mut ask: impl FnMut(&QueryGeometry<'_>) -> Relation) -> Relation {
     let scope = &body.scope;
     match &body.geometry {
         Geometry::Empty => Relation::NONE,
-        Geometry::Box(_) => ask(&QueryGeometry::oriented(scope.centre(), scope.axes, scope.size * 0.5)),
+        Geometry::Box(_) => ask(&OrientedBox::new(scope.origin, &scope.axes, scope.size).to_query()),
         Geometry::Rect(axis, _) => {
-            // The rectangle is on the low side of the scope.
-            let mut size = scope.size;
-            size[axis.index()] = 0.0;
-            let half = size * 0.5;
-            ask(&QueryGeometry::oriented(scope.origin + scope.axes * half, scope.axes, half))
+            ask(&OrientedBox::rectangle(scope.origin, &scope.axes, scope.size, *axis).to_query())
         }
         Geometry::Mesh(placed) => {
             ask(&QueryGeometry::mesh(&placed.mesh, scope.placement() * placed.to_scope(scope.size)))

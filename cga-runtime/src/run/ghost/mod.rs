@@ -8,6 +8,7 @@ pub(crate) mod body;
 mod label_index;
 mod labelled;
 pub(crate) mod leaf_sink;
+pub(crate) mod near;
 mod occluders;
 
 use super::tree_keys::{TreeKeys, TreeNode};

@@ -3,8 +3,9 @@
 use std::sync::OnceLock;
 
 use super::body;
-use crate::geometry::relation::{Occluders, QueryGeometry, Relation};
-use crate::run::tree_keys::{Place, TreeKeys, TreeNode};
+use super::near::OcclusionQuery;
+use crate::geometry::relation::Occluders;
+use crate::run::tree_keys::{Kinship, Place, TreeKeys, TreeNode};
 use crate::shape::body::Body;
 use crate::value::text::Text;
 
@@ -52,27 +53,27 @@ impl GhostOccluders {
         self.list.iter_mut().for_each(|occluder| occluder.node = TreeNode::default());
     }
 
-    /// The wanted answers for a geometry, among the shapes with a label, or among all shapes without one. `place` is the place of the query in
-    /// its own tree, if this is a derivation of the same initial shape: its ancestors and descendants are left out.
-    pub(crate) fn relation(
-        &self,
-        query: &QueryGeometry<'_>,
-        wanted: Relation,
-        label: Option<&str>,
-        place: Option<Place<'_>>,
-    ) -> Relation {
-        if self.list.is_empty() {
-            return Relation::NONE;
-        }
-        let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
-        let solids = self.solids.get_or_init(occluders);
-        solids.query(query, wanted, &mut |number| self.counts(number, label, place))
+    /// Returns true if no shape is closed.
+    pub(super) fn is_empty(&self) -> bool {
+        self.list.is_empty()
     }
 
-    /// Returns true if a shape counts for a query with a label and a place.
-    fn counts(&self, number: u32, label: Option<&str>, place: Option<Place<'_>>) -> bool {
-        let GhostOccluder { label: own, node, .. } = &self.list[number as usize];
-        label.is_none_or(|label| own.as_deref() == Some(label))
-            && !place.is_some_and(|place| self.keys.is_in_line(*node, place))
+    /// The shapes as solids.
+    #[inline]
+    pub(super) fn solids(&self) -> &Occluders {
+        let occluders = || Occluders::new(self.list.iter().filter_map(|occluder| body::occluder(&occluder.body)));
+        self.solids.get_or_init(occluders)
+    }
+
+    /// The kinship of a shape with the place of a query in its own tree.
+    pub(super) fn kinship(&self, number: u32, place: Place<'_>) -> Kinship {
+        self.keys.kinship(self.list[number as usize].node, place)
+    }
+
+    /// Returns true if a shape counts for a query: it has the label, if there is one, and is neither an ancestor nor a descendant of the place of
+    /// the query, if that is a place in the tree of the same initial shape.
+    pub(super) fn counts(&self, number: u32, query: OcclusionQuery<'_>) -> bool {
+        query.label.is_none_or(|label| self.list[number as usize].label.as_deref() == Some(label))
+            && query.place.is_none_or(|place| matches!(self.kinship(number, place), Kinship::Beside(_)))
     }
 }
