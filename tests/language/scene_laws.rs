@@ -33,7 +33,7 @@ fn lots() -> Vec<Shape> {
             let outline = [[x + 1.0, z + 9.0], [x + 8.0, z + 10.0], [x + 9.0, z + 2.0], [x, z + 1.0]];
             Shape::footprint(&outline, &[]).expect("a lot")
         } else {
-            Shape::rectangle(if at % 3 == 0 { 8.0 } else { 9.5 }, 12.0).at([x, 0.0, z])
+            Shape::rectangle(if at.is_multiple_of(3) { 8.0 } else { 9.5 }, 12.0).at([x, 0.0, z])
         };
         lot.seed(at as u64 * 31)
     };
