@@ -18,6 +18,11 @@ use crate::mesh::pair_table::PairTable;
 use crate::mesh::{Bounds, FaceRef, Mesh, flip};
 use crate::provenance::Extruded;
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
+use crate::work;
+
+/// The units of work of a corner whose edge is joined, and of one that grows.
+const JOINING: usize = 8;
+const GROWING: usize = 64;
 
 /// The direction of an extrusion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,7 +40,7 @@ pub enum Extrude {
 
 /// The volumes on the faces of a mesh, by a distance in metres. Faces without area have no normal and are not extruded along it. A
 /// distance or a vector that is not finite leaves the mesh unchanged. So does a distance of zero, except for a flat top.
-/// Points that overflow are infinite, as in [`Mesh::map`].
+/// Points that overflow are infinite, as in [`Mesh::map`]. Empty if the work is to end.
 ///
 /// ```
 /// use cga_geometry::extrude::{Extrude, extrude};
@@ -76,6 +81,9 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     let walls = joints.inner.iter().filter(|is_inner| !**is_inner).count();
     grown.made.make_room(2 * mesh.points().len(), 2 * corners + 4 * walls, 2 * mesh.loop_ends.len() + walls);
     for (index, face) in mesh.faces().enumerate() {
+        if !work::spend(GROWING * face.corner_count()) {
+            return Mesh::default();
+        }
         let body = joints.body[index];
         if face.corner_range().any(|corner| way(body, mesh.corners()[corner]) != DVec3::ZERO) {
             grown.body(&face, body, &joints.inner, &way);
@@ -159,9 +167,12 @@ impl Joints {
     }
 }
 
-/// Calls `visit` with the face, the corner and the two points of every edge.
+/// Calls `visit` with the face, the corner and the two points of every edge, as long as the work goes on.
 fn each_edge(mesh: &Mesh, mut visit: impl FnMut(usize, usize, u32, u32)) {
     for (index, face) in mesh.faces().enumerate() {
+        if !work::spend(JOINING * face.corner_count()) {
+            return;
+        }
         for ring in face.loop_ranges() {
             for corner in ring.clone() {
                 let next = if corner + 1 == ring.end { ring.start } else { corner + 1 };

@@ -17,12 +17,16 @@ use crate::mesh::{FlatFace, Mesh, flip};
 use crate::nesting::polygons::NestedRings;
 use crate::skeleton::{self, FrontCorner, SkeletonError, Strip};
 use crate::small_sort::SmallSort;
+use crate::work;
 
 pub mod each_edge;
 pub mod region;
 mod relief;
 mod sides;
 pub mod to_area;
+
+/// The units of work of a corner, besides the units of the wavefront.
+const CORNER: usize = 64;
 
 /// The faces that an offset keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +63,7 @@ impl From<SkeletonError> for OffsetError {
 ///
 /// Faces that cannot be moved are copied unchanged, with points of their own. They are also listed, by number, with the reason.
 /// An infinite distance inwards leaves nothing of a face. A distance that is NaN leaves the mesh unchanged.
+/// The result of work that is to end is empty.
 ///
 /// The time is quadratic in the number of corners of a face.
 ///
@@ -80,6 +85,10 @@ pub fn offset(mesh: &Mesh, distance: f64, keep: OffsetFaces) -> (Mesh, Vec<(usiz
     let mut made = Derivation::new(mesh, CornerValues::All, 0);
     let mut refused = Vec::new();
     for face in mesh.faces() {
+        // A wavefront without events counts no work.
+        if !work::spend(CORNER * face.corner_count()) {
+            return (Mesh::default(), Vec::new());
+        }
         let plane = FlatFace::of(&face).ok_or(OffsetError::NoNormal);
         if let Err(why) = plane.and_then(|plane| offset_face(&plane, distance, keep, &mut made)) {
             made.copy(&face);

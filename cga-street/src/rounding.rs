@@ -8,9 +8,9 @@ use super::segment_tree::SegmentTree;
 use cga_geometry::small_sort::SmallSort;
 
 /// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
-/// more than `most` crossings, or if very many segments lie near each other.
+/// more than `most` crossings, or if very many segments lie near each other or on one line.
 pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
-    let mut chains = round(segments, &crossings(segments, most)?);
+    let mut chains = round(segments, &crossings(segments, most)?, most)?;
     // Rounding errors of crossings may leave edges that still meet. This is rare, and one more round usually repairs
     // it.
     for _ in 0..MOST_ROUNDS {
@@ -21,7 +21,7 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
         if again.is_empty() {
             break;
         }
-        let parts = round(&edges, &again);
+        let parts = round(&edges, &again, most)?;
         for chain in &mut chains {
             let mut finer = vec![chain[0]];
             for edge in chain.windows(2) {
@@ -70,12 +70,17 @@ fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> 
     (found.len() <= 2 * most).then_some(found)
 }
 
-/// Routes segments through all hot points that they pass, and through their own crossings.
-fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>> {
+/// The limit on points inside of all chains for each crossing that is allowed, which bounds memory: segments on one line divide each other
+/// without a crossing.
+const INNER_POINTS: usize = 8;
+
+/// Routes segments through all hot points that they pass, and through their own crossings. `None` if the chains have very many points.
+fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)], most: usize) -> Option<Vec<Vec<Point>>> {
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
     hot.small_sort();
     hot.dedup();
     let pixels = SegmentTree::of(hot.iter().map(|point| [*point; 2]));
+    let mut inner = 0;
     let chain = |(number, &segment): (usize, &[Point; 2])| {
         let [a, b] = segment;
         let from = crossings.partition_point(|one| (one.0 as usize) < number);
@@ -93,7 +98,8 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)]) -> Vec<Vec<Point>>
         chain.retain(|&point| point != a && point != b);
         chain.insert(0, a);
         chain.push(b);
-        chain
+        inner += chain.len() - 2;
+        (inner <= INNER_POINTS * most).then_some(chain)
     };
     segments.iter().enumerate().map(chain).collect()
 }

@@ -2,6 +2,7 @@
 
 use super::grid::{Point, cross, sides, twice_area, winding};
 use super::rounding::divide;
+use super::segment_tree::SegmentTree;
 use super::{MOST_CROSSINGS, StreetError};
 use cga_geometry::disjoint::DisjointSets;
 use cga_geometry::each::Each;
@@ -117,29 +118,30 @@ impl Subdivision {
         for (number, cycles) in parts.iter().enumerate() {
             cycles.iter().for_each(|&cycle| part[cycle as usize] = number);
         }
-        let bounds: Vec<[Point; 2]> = parts.iter().map(|list| self.bounds(list, &members)).collect();
-        let mut inside: Vec<Vec<u32>> = vec![Vec::new(); parts.len()];
+        // The polygons of each component, if there are several, and their boxes.
+        let mut homes: Vec<(usize, u32)> = Vec::new();
         if 1 < parts.len() {
             for (half, &cycle) in self.cycle.iter().enumerate().step_by(2) {
-                let polygons = changes[half / 2].iter().map(|change| change.0);
-                inside[part[cycle as usize]].extend(polygons);
+                homes.extend(changes[half / 2].iter().map(|change| (part[cycle as usize], change.0)));
             }
-            for list in &mut inside {
-                list.small_sort();
-                list.dedup();
-            }
+            homes.sort_unstable();
+            homes.dedup();
         }
+        let boxes: Vec<[Point; 2]> = homes.iter().map(|home| bounds(&polygons[home.1 as usize])).collect();
+        let tree = SegmentTree::of(boxes.iter().copied());
         for (number, list) in parts.iter().enumerate() {
             let outer = list.iter().copied().min_by_key(|&cycle| twice_area(&self.ring(cycle as usize)));
             let Some(outer) = outer else { continue };
             // A component may be inside polygons of other components.
             let corner = self.points[self.origin[self.first[outer as usize] as usize] as usize];
-            let around = (0..parts.len()).filter(|&other| other != number && holds(bounds[other], corner));
-            let around = around.flat_map(|other| &inside[other]).map(|&polygon| (polygon, &polygons[polygon as usize]));
-            let mut around: Vec<Change> = around
-                .map(|(polygon, ring)| (polygon, winding(ring, corner)))
-                .filter(|&(_, turns)| turns != 0)
-                .collect();
+            let mut around: Vec<Change> = Vec::new();
+            tree.near([corner; 2], 0, |at| {
+                let (home, polygon) = homes[at as usize];
+                if home != number && holds(boxes[at as usize], corner) {
+                    let turns = winding(&polygons[polygon as usize], corner);
+                    around.extend((turns != 0).then_some((polygon, turns)));
+                }
+            });
             around.small_sort();
             windings[outer as usize] = Some(around);
             let mut waiting = vec![outer];
@@ -158,15 +160,6 @@ impl Subdivision {
         }
         let polygons = |list: Option<Vec<Change>>| list.unwrap_or_default().iter().map(|change| change.0).collect();
         self.covers = windings.into_iter().map(polygons).collect();
-    }
-
-    fn bounds(&self, cycles: &[u32], members: &[Vec<u32>]) -> [Point; 2] {
-        let halves = cycles.iter().flat_map(|&cycle| &members[cycle as usize]);
-        let points = halves.map(|&half| self.points[self.origin[half as usize] as usize]);
-        let none = [Point { x: i64::MAX, y: i64::MAX }, Point { x: i64::MIN, y: i64::MIN }];
-        points.fold(none, |[low, high], p| {
-            [Point { x: low.x.min(p.x), y: low.y.min(p.y) }, Point { x: high.x.max(p.x), y: high.y.max(p.y) }]
-        })
     }
 
     /// The outlines of the areas of each owner, given the owner of each cycle: loops with the owner on their left.
@@ -195,6 +188,14 @@ impl Subdivision {
         }
         loops
     }
+}
+
+/// The box of a ring.
+fn bounds(ring: &[Point]) -> [Point; 2] {
+    let none = [Point { x: i64::MAX, y: i64::MAX }, Point { x: i64::MIN, y: i64::MIN }];
+    ring.iter().fold(none, |[low, high], p| {
+        [Point { x: low.x.min(p.x), y: low.y.min(p.y) }, Point { x: high.x.max(p.x), y: high.y.max(p.y) }]
+    })
 }
 
 fn holds([low, high]: [Point; 2], point: Point) -> bool {

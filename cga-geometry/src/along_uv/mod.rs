@@ -19,6 +19,7 @@ use glam::DVec3;
 use crate::mesh::{FaceTag, Mesh, MeshBuilder, TooManyCorners, flip, unit as unit_vector};
 use crate::tol::PLANAR_EPSILON;
 use crate::vector::area_vector;
+use crate::work;
 use clip::{Clip, ClipVertex};
 use patch::{Patches, UvPatch};
 use unit::UnitAsset;
@@ -65,7 +66,7 @@ pub struct AlongUv {
 ///
 /// # Errors
 /// An error if the result would have more than `most` corners, or if far more corners must be visited. A result with
-/// coordinates that overflow is empty.
+/// coordinates that overflow is empty, and so is the result of work that is to end.
 pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: usize) -> Result<Mesh, TooManyCorners> {
     let too_many = TooManyCorners { most };
     let mut made = MappedMesh { builder: MeshBuilder::new(), asset, corners: 0 };
@@ -77,6 +78,9 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
         let turns_over = patch.is_mirrored != (options.height < 0.0);
         for row in patch.rows(most)? {
             for cell in patch.cells(row, most)? {
+                if !work::spend(CUTTING * unit.corners.len()) {
+                    return Ok(Mesh::default());
+                }
                 looked_at = looked_at.saturating_add(unit.corners.len());
                 if most.saturating_mul(LOOKS) < looked_at {
                     return Err(too_many);
@@ -103,6 +107,9 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
 /// The limit on visited corners of the asset per corner of the result. Small faces of a carrier use few of the visited
 /// corners.
 const LOOKS: usize = 64;
+
+/// The units of work of a corner that is compared with a face of the carrier.
+const CUTTING: usize = 16;
 
 /// The mesh under construction.
 struct MappedMesh<'a> {

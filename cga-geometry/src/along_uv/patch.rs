@@ -13,6 +13,10 @@ use crate::nesting::extent::Extent;
 use crate::segment::nearest_share;
 use crate::tol::{AFFINE_EPSILON, WHOLE_EPSILON};
 use crate::triangulate::Triangulator;
+use crate::work;
+
+/// The units of work of an edge whose neighbours are found.
+const EDGE: usize = 128;
 
 /// A triangle, or a quad whose coordinates are a parallelogram. Corners are counter-clockwise in texture space.
 pub(super) struct UvPatch {
@@ -215,6 +219,9 @@ impl Patches {
         };
         let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
         for face in carrier.faces().filter(|face| matches!(face.corner_count(), 3 | 4)) {
+            if !work::spend(EDGE * face.corner_count()) {
+                return Patches::default();
+            }
             let corners: Vec<PatchCorner> = face.corner_range().map(|at| corner(at as u32)).collect();
             if is_parallelogram(&corners) {
                 patches.add(UvPatch::of(corners));

@@ -229,9 +229,18 @@ impl<'s> Derivation<'s> {
         let source = self.source;
         let old = self.old.get_or_insert_with(|| Box::new(OldFace::new(source)));
         old.enter(origin.face);
+        let (first, is_turned) = (self.made.corners.len() - ring.len(), origin.is_turned());
         for place in 0..ring.len() {
-            let mix = old.mix_at(ring, place, &self.origins, &self.made.points, origin);
-            self.made.add_mixed(self.source, &mix, self.has_normals, origin.is_turned());
+            let (at, corner) = (self.made.points[ring[place] as usize], first + place);
+            if let Some(mix) = old.mix_at(ring, place, &self.origins, origin) {
+                self.made.add_mixed(self.source, &mix, self.has_normals, is_turned);
+            } else if let Some(before) = old.continued_before(at, is_turned) {
+                // All faces of a fan have its middle.
+                self.made.add_again(before, self.has_normals);
+            } else {
+                let mix = old.continued(at, is_turned, corner);
+                self.made.add_mixed(self.source, &mix, self.has_normals, is_turned);
+            }
         }
     }
 

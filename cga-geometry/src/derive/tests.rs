@@ -3,6 +3,7 @@ use glam::{DVec2, DVec3};
 use super::*;
 use crate::mesh::{FaceTag, MeshBuilder};
 use crate::trace::{Trace, TraceLayer, TracedPoint};
+use crate::work;
 
 fn tags(names: &[&str]) -> TagSet {
     TagSet::new(names.iter().copied())
@@ -41,6 +42,42 @@ fn fan(mesh: &Mesh) -> Mesh {
         }
     }
     made.finish_by_use()
+}
+
+/// The values at the middle are a mix of the values at all corners.
+#[test]
+fn values_at_the_middle_of_a_fan_are_mixed_once_and_can_be_stopped() {
+    let count = 70_000;
+    let mut builder = MeshBuilder::new();
+    let places: Vec<DVec3> = (0..count)
+        .map(|at| {
+            let (sin, cos) = libm::sincos(f64::from(at) / f64::from(count) * std::f64::consts::TAU);
+            DVec3::new(9.0 * cos, 9.0 * sin, 0.0)
+        })
+        .collect();
+    let points: Vec<u32> = places.iter().map(|at| builder.point(*at)).collect();
+    builder.polygon(&points).uvs(&places.iter().map(|at| uv(*at)).collect::<Vec<DVec2>>());
+    let mesh = builder.build().expect("a disk");
+    for goes_on in [true, false] {
+        let (units, asked) = (std::rc::Rc::new(std::cell::Cell::new(0)), std::rc::Rc::new(std::cell::Cell::new(0)));
+        let (all, questions) = (units.clone(), asked.clone());
+        let _supervisor = work::Supervisor::new(move |more| {
+            all.set(all.get() + more);
+            questions.set(questions.get() + 1);
+            goes_on
+        });
+        let made = fan(&mesh);
+        let _ = work::ask();
+        assert!((count as u64..2 * count as u64).contains(&units.get()), "{} units", units.get());
+        assert!(0 < asked.get());
+        let middle = made
+            .corners()
+            .iter()
+            .zip(made.uv_set(0))
+            .filter(|(point, _)| made.points()[**point as usize].length() < 1.0);
+        let expected = if goes_on { uv(DVec3::ZERO) } else { uv(places[0]) };
+        assert!(middle.clone().all(|(_, own)| (*own - expected).length() < 1e-9) && middle.count() == count as usize);
+    }
 }
 
 #[test]

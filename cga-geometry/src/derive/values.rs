@@ -8,6 +8,7 @@ use super::{FaceOrigin, PointOrigin};
 use crate::each::Each;
 use crate::mesh::{Mesh, unit};
 use crate::small_sort::SmallSort;
+use crate::work;
 
 /// The values of a corner, as values of corners of the old mesh.
 pub(crate) enum Mix<'w> {
@@ -29,6 +30,16 @@ impl Mesh {
         }
         if !self.normals.is_empty() {
             self.normals.push(mixed_normal(&self.normals, mix));
+        }
+    }
+
+    /// Adds the values of a corner of this mesh again.
+    pub(super) fn add_again(&mut self, corner: usize, has_normals: bool) {
+        for list in self.uvs.lists_mut() {
+            list.push(list[corner]);
+        }
+        if has_normals {
+            self.normals.push(self.normals[corner]);
         }
     }
 
@@ -82,6 +93,8 @@ pub(super) struct OldFace<'s> {
     by_point: Vec<(u32, u32)>,
     plane: Option<Continued>,
     weights: Vec<f64>,
+    /// The last place whose values were continued, if its face was turned, and the corner of the new mesh there.
+    last: Option<(DVec3, bool, usize)>,
 }
 
 impl<'s> OldFace<'s> {
@@ -89,7 +102,7 @@ impl<'s> OldFace<'s> {
     const FEW: usize = 16;
 
     pub(super) fn new(source: &'s Mesh) -> Self {
-        OldFace { source, face: None, range: 0..0, by_point: Vec::new(), plane: None, weights: Vec::new() }
+        OldFace { source, face: None, range: 0..0, by_point: Vec::new(), plane: None, weights: Vec::new(), last: None }
     }
 
     /// Goes to a face.
@@ -99,6 +112,7 @@ impl<'s> OldFace<'s> {
         }
         self.range = self.source.face_corners(face as usize);
         self.plane = None;
+        self.last = None;
         self.by_point.clear();
         if Self::FEW < self.range.len() {
             let corners = self.range.clone().map(|corner| (self.source.corners()[corner], corner as u32));
@@ -107,15 +121,14 @@ impl<'s> OldFace<'s> {
         }
     }
 
-    /// The values at a place of a loop of new points, in a face with that origin.
+    /// The values at a place of a loop of new points, in a face with that origin, if they are values of one or two corners.
     pub(super) fn mix_at(
-        &mut self,
+        &self,
         ring: &[u32],
         place: usize,
         origins: &[PointOrigin],
-        points: &[DVec3],
         origin: &FaceOrigin,
-    ) -> Mix<'_> {
+    ) -> Option<Mix<'static>> {
         let known = |place: usize| match origins[ring[place % ring.len()] as usize] {
             PointOrigin::Old(point) | PointOrigin::Moved(point) => Some(point),
             PointOrigin::Between { .. } | PointOrigin::Grown | PointOrigin::New => None,
@@ -127,18 +140,19 @@ impl<'s> OldFace<'s> {
         };
         match origins[ring[place] as usize] {
             PointOrigin::Old(point) | PointOrigin::Moved(point) => {
-                if let Some(corner) = self.corner(point, origin.edge(), &beside) {
-                    return Mix::One(corner);
-                }
+                self.corner(point, origin.edge(), &beside).map(Mix::One)
             }
-            PointOrigin::Between { ends, share } => {
-                if let [Some(a), Some(b)] = ends.each(|end| self.corner(end, origin.edge(), &beside)) {
-                    return Mix::Two([a, b], share);
-                }
-            }
-            PointOrigin::Grown | PointOrigin::New => {}
+            PointOrigin::Between { ends, share } => match ends.each(|end| self.corner(end, origin.edge(), &beside)) {
+                [Some(a), Some(b)] => Some(Mix::Two([a, b], share)),
+                _ => None,
+            },
+            PointOrigin::Grown | PointOrigin::New => None,
         }
-        self.continued(points[ring[place] as usize])
+    }
+
+    /// The corner of the new mesh with the last values that [`continued`](OldFace::continued) gave, if they are of this place.
+    pub(super) fn continued_before(&self, at: DVec3, is_turned: bool) -> Option<usize> {
+        self.last.filter(|last| (last.0, last.1) == (at, is_turned)).map(|last| last.2)
     }
 
     /// The corner at a point.
@@ -173,8 +187,13 @@ impl<'s> OldFace<'s> {
         Some(all.fold(better(first, second), better))
     }
 
-    /// The values at a place in the plane of the face, or over it.
-    fn continued(&mut self, at: DVec3) -> Mix<'_> {
+    /// The values at a place in the plane of the face, or over it, for a corner of the new mesh.
+    pub(super) fn continued(&mut self, at: DVec3, is_turned: bool, corner: usize) -> Mix<'_> {
+        self.last = Some((at, is_turned, corner));
+        // If the work is to end, the values do not matter.
+        if !work::spend(self.range.len()) {
+            return Mix::One(self.range.start as u32);
+        }
         let OldFace { source, face, range, plane, weights, .. } = self;
         let plane = plane.get_or_insert_with(|| Continued::of(source, face.unwrap_or_default() as usize));
         plane.weights(at, weights);

@@ -33,3 +33,33 @@ fn borders_with_too_many_edges_are_an_error() {
     let made = Subdivision::new(&[ring(1_000_000), ring(9_000_001)]);
     assert_eq!(made.err(), Some(StreetError::TooLarge { most: 10_000_000 }));
 }
+
+/// Segments on one line divide each other without a crossing: 300 of them have 45,000 parts.
+#[test]
+fn segments_on_one_line_with_too_many_parts_are_an_error() {
+    let line = |count: i64| -> Vec<[Point; 2]> {
+        (0..count).map(|at| [Point { x: at, y: 0 }, Point { x: 10_000 - at, y: 0 }]).collect()
+    };
+    assert!(divide(&line(300), 20_000).is_some());
+    assert!(divide(&line(300), 2_000).is_none());
+}
+
+/// Comparing all components with each other would take minutes.
+#[test]
+fn each_of_many_components_knows_the_polygons_around_it() {
+    let square = |x: i64, y: i64, size: i64| -> Vec<Point> {
+        [[0, 0], [size, 0], [size, size], [0, size]].map(|[u, v]| Point { x: x + u, y: y + v }).into()
+    };
+    let side = 150;
+    let places = || (0..side * side).map(|at| [10 + at % side * 100, 10 + at / side * 100]);
+    let mut polygons = vec![square(0, 0, 100 * side)];
+    polygons.extend(places().flat_map(|[x, y]| [square(x, y, 80), square(x + 10, y + 10, 60)]));
+    let made = Subdivision::new(&polygons).expect("few edges");
+    let count = |number: usize| made.covers.iter().filter(|covers| covers.len() == number).count();
+    let cells = (side * side) as usize;
+    // The outer border of a component is a cycle of the area around it.
+    assert_eq!([0, 1, 2, 3].map(count), [1, 1 + cells, 2 * cells, cells]);
+    for covers in made.covers.iter().filter(|covers| covers.len() == 3) {
+        assert!(covers[0] == 0 && covers[1] % 2 == 1 && covers[2] == covers[1] + 1, "{covers:?}");
+    }
+}
