@@ -13,6 +13,10 @@ pub const ANGLE_EPSILON: f64 = 1e-12;
 /// The largest difference between unit normals of coplanar faces.
 pub const COPLANAR_EPSILON: f64 = 1e-9;
 
+/// The step of the grid, relative to about the extent of a face, to which positions are rounded before a triangulation that must not
+/// depend on rounding errors. A power of two.
+pub(crate) const GRID_EPSILON: f64 = 1.0 / (1u64 << 32) as f64;
+
 /// Loops of a polygon that cross by less than this, relative to its extent, count as touching.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 

@@ -76,7 +76,7 @@ impl<'m> Surface<'m> {
                 return None;
             }
             let before = values.len();
-            triangulator.face(mesh, face, &mut values);
+            triangulator.steady_face(mesh, face, &mut values);
             faces.resize(values.len(), face as u32);
             ends.push(values.len() as u32);
             if values.len() == before {

@@ -226,3 +226,34 @@ fn every_pass_over_a_large_mesh_can_end() {
         assert!(made.is_none() && asked == last + 1, "question {last}");
     }
 }
+
+#[test]
+fn rounding_does_not_change_which_vertices_of_a_face_go() {
+    // A wall with notches, and a triangle with corners on its edges.
+    let notch = |k: u32| {
+        let x = f64::from(k) * 2.469_156_9;
+        [(x, 0.0), (x + 1.749_748, 0.0), (x + 1.749_748, 0.133), (x + 2.469_156_9, 0.133)]
+    };
+    let end = 6.0 * 2.469_156_9;
+    let notched: Vec<DVec3> =
+        (0..6).flat_map(notch).chain([(end, 0.377), (0.0, 0.377)]).map(|(x, y)| DVec3::new(x, y, 0.0)).collect();
+    let corners = [DVec3::new(0.313, 2.0, 0.7), DVec3::new(1.0, 0.0, 0.3), DVec3::new(-0.5, 1.0, -0.7)];
+    let along = |k: usize| [0.0, 0.2713, 0.613].map(|share| corners[k].lerp(corners[(k + 1) % 3], share));
+    let divided = (0..3).flat_map(along).collect();
+    let mut random = Rng(5);
+    for (outline, share) in [(notched, 0.4173), (divided, 0.3)] {
+        let mut reduced = |noise: f64| {
+            let mut nudge = || (random.unit() - 0.5) * noise;
+            let mut points: Vec<DVec3> = outline.clone();
+            points.iter_mut().for_each(|point| *point += DVec3::new(nudge(), nudge(), nudge()));
+            let mesh = Mesh::from_polygon(&points, &[]).unwrap();
+            let made = reduce(&mesh, share).unwrap();
+            let old = |point| points.iter().position(|old| old == point);
+            (made.points().iter().map(old).collect::<Vec<_>>(), made.corners().to_vec())
+        };
+        let expected = reduced(0.0);
+        for _ in 0..100 {
+            assert_eq!(reduced(1e-15), expected, "{share}");
+        }
+    }
+}

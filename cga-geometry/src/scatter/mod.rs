@@ -266,7 +266,7 @@ fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
     let (mut triangulator, mut list, mut all) = (Triangulator::new(), Vec::new(), Vec::new());
     for face in mesh.faces() {
         list.clear();
-        triangulator.face(mesh, face.index(), &mut list);
+        triangulator.steady_face(mesh, face.index(), &mut list);
         let normal = unit(face.normal());
         let corners = list.iter().map(|triangle| triangle.each(|corner| face.position(corner as usize)));
         all.extend(corners.map(|corners| (corners, normal)));
