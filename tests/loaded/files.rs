@@ -229,7 +229,7 @@ fn loaded_rules_have_the_warnings_of_queries_in_vain() {
     // A loaded text has the name of a file, and other files may import it. So unknown labels are not reported, although the text is a whole
     // program.
     assert_eq!(warnings(rules, "Lot --> label(\"tower\") X."), "");
-    let found = warnings(rules, "Lot --> union { extrude(3) label(\"towr\") X. } Y.");
+    let found = warnings(rules, "Lot --> union { extrude(3) label(\"towr\") X. | extrude(2) Y. } Z.");
     assert!(found.contains("this label is lost below `union`"), "{found}");
     assert_eq!(warnings(rules, "Lot --> label(\"to\" + str(rint(rand(1)))) X."), "");
     let found =
