@@ -48,7 +48,7 @@ impl Graph {
         let (mut segments, mut known) = (Vec::new(), BTreeSet::new());
         for (line, path) in paths.iter().enumerate() {
             let ends = path.windows(2).map(|ends| LineSegment { ends: [ends[0], ends[1]], line: line as u32 });
-            // Of coincident segments the first one is kept.
+            // Each segment once, for the first of its lines.
             segments.extend(ends.filter(|segment| {
                 let [a, b] = segment.ends.each(|end| end.0);
                 a != b && known.insert([a.min(b), a.max(b)])

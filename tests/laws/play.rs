@@ -68,7 +68,7 @@ pub(crate) fn play<M: Fn() -> Box<dyn Grammar + Sync>>(grammars: &[(u64, M)]) ->
     counts
 }
 
-/// Returns true if each grammar is told when it is done.
+/// Returns true if a line is printed after each grammar.
 fn tells() -> bool {
     std::env::var_os("CGA_GRAMMARS").is_some()
 }

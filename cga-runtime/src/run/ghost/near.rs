@@ -141,7 +141,7 @@ impl NearQueries {
 }
 
 impl AskedGhosts<'_> {
-    /// Returns true if there are no closed shapes to ask.
+    /// Returns true if no ghost has a closed shape.
     pub(crate) fn is_empty(&self) -> bool {
         self.own.is_none_or(|ghost| ghost.occluders().is_empty()) && self.others.is_empty()
     }
