@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use cga::{Batches, Error, Grammars, Limits, Model, Scene, Settings, Shape, Watch, cga};
 
 use crate::leaves;
+use crate::scene_laws::{District, lots};
 
 cga! {
     grammar Towers = r#"
@@ -158,37 +159,15 @@ fn each_neighbour_is_derived_once_for_all_queries() {
     assert_eq!((DERIVED.swap(0, Ordering::Relaxed), crate::lines(&model)[2].as_str()), (3, "2"));
 }
 
-cga! {
-    grammar Everything = r#"
-        attr floors = rint(rand(2, 6))
-        Lot --> extrude(3 * floors) label("mass") Mass
-        Mass --> comp(f) { side : Facade | top : Roof }
-        Facade --> split(y) { ~3 : Floor }*
-        Floor --> split(x) { ~2.5 : Tile }*
-        Tile --> case touches(all) : Wall. case minimumDistance(inter, "mass") < 3 : Small. else : Window(contextCount(all, "garden"))
-        Window(n) --> case p(0.5) : report("gardens", n) Window. else : Door.
-        Roof --> case contextCompare(all, "mass", world.highest) < 5 : label("garden") Garden. else : roofGable(30) Tiles.
-    "#;
-}
-
-/// Lots of a block, with seeds.
-fn block() -> Vec<Shape> {
-    let lot = |at: usize| {
-        let (row, column) = ((at / 6) as f64, (at % 6) as f64);
-        Shape::rectangle(8.0 + column, 10.0).at([column * 11.5, 0.0, row * 10.0]).seed(at as u64 * 7)
-    };
-    (0..24).map(lot).collect()
-}
-
 #[test]
 fn the_order_of_lots_makes_no_difference() {
-    let (everything, lots) = (Everything::default(), block());
-    let expected = models(&Scene::new(&everything, &lots));
-    let order: Vec<usize> = (0..lots.len()).map(|at| at * 7 % lots.len()).collect();
+    let (district, lots) = (District::default(), lots());
+    let expected = models(&Scene::new(&district, &lots));
+    let order: Vec<usize> = (0..lots.len()).map(|at| at * 8 % lots.len()).collect();
     let other: Vec<Shape> = order.iter().map(|at| lots[*at].clone()).collect();
-    let found = models(&Scene::new(&everything, &other));
+    let found = models(&Scene::new(&district, &other));
     assert!(order.iter().zip(&found).all(|(at, model)| *model == expected[*at]));
-    let scene = Scene::new(&everything, &lots);
+    let scene = Scene::new(&district, &lots);
     let one = |at: usize| scene.generate_lot(at, &Settings::default()).expect("a model");
     assert!([0, 5, 11, 23].into_iter().all(|at| one(at) == expected[at]));
 }
@@ -196,8 +175,8 @@ fn the_order_of_lots_makes_no_difference() {
 #[test]
 #[cfg(feature = "rayon")]
 fn the_number_of_threads_makes_no_difference() {
-    let (everything, lots) = (Everything::default(), block());
-    let scene = Scene::new(&everything, &lots);
+    let (district, lots) = (District::default(), lots());
+    let scene = Scene::new(&district, &lots);
     let expected = models(&scene);
     for threads in [1, 2, 8] {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
@@ -210,7 +189,10 @@ fn the_number_of_threads_makes_no_difference() {
         };
         let report = pool.install(|| scene.generate_each(&Settings::default(), take)).expect("models");
         assert_eq!(&report, found.report());
-        assert!(streamed.iter().map(|(at, _)| *at).eq(0..24) && streamed.iter().map(|(_, model)| model).eq(&expected));
+        assert!(
+            streamed.iter().map(|(at, _)| *at).eq(0..lots.len())
+                && streamed.iter().map(|(_, model)| model).eq(&expected)
+        );
     }
 }
 

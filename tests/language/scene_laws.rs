@@ -3,7 +3,7 @@
 use cga::{Model, Scene, Settings, Shape, cga};
 
 cga! {
-    grammar District = r#"
+    pub(crate) grammar District = r#"
         attr floors = rint(rand(1, 6))
         Lot --> extrude(3 * floors) label("mass") Mass
         Mass --> comp(f) { side : Facade | top : Roof }
@@ -14,7 +14,7 @@ cga! {
             case touches(all) : Wall.
             case minimumDistance(inter, "mass") < 3 : color(0.5, 0.4, 0.3) Small.
             case split.index % 3 == 0 && contextCount(inter, "mass") > 3 : Crowded.
-            case p(0.3) : print(getTreeKey) Window.
+            case p(0.3) : report("terraces", contextCount(all, "top")) print(getTreeKey) Window.
             else : Door.
         Roof --> case contextCompare(inter, "mass", world.highest) == 0 : label("top") Garden.
             case minimumDistance(all, "top") < 4 : Terrace. else : roofGable(30) Tiles.
@@ -25,7 +25,7 @@ cga! {
 const NEAR: f64 = 4.0;
 
 /// Lots of a block: some with party walls, some with gaps, some turned.
-fn lots() -> Vec<Shape> {
+pub(crate) fn lots() -> Vec<Shape> {
     let lot = |at: usize| {
         let (row, column) = (at / 7, at % 7);
         let [x, z] = [column as f64 * 9.5, row as f64 * 12.0];
