@@ -117,6 +117,8 @@ impl Writer {
     }
 
     fn slots(&mut self, here: Here, nested: usize) {
+        // The part of the scope that the slots so far take. A slot beyond the end would be a warning, and it would be true.
+        let mut taken = 0.0;
         for slot in 0..1 + self.random.below(3) {
             let bar = if slot == 0 { " " } else { "|" };
             if nested < 2 && self.chance(20) {
@@ -125,7 +127,14 @@ impl Writer {
                 self.line(here, "}*");
                 continue;
             }
-            let size = self.fill(&["$L", "$L", "'0.2713", "'0.4117", "'c", "~$L", "~1", "~b"]);
+            let mut size = self.fill(&["$L", "$L", "'0.2713", "'0.4117", "'c", "~$L", "~1", "~b"]);
+            if let Some(part) = size.strip_prefix('\'') {
+                // `c` is an attribute with this default.
+                taken += part.parse().unwrap_or(0.613);
+                if taken > 1.0 {
+                    size = "~b".to_owned();
+                }
+            }
             self.line(here, &format!("{bar} {size} :"));
             self.body(here.deeper());
         }
