@@ -34,6 +34,8 @@ cga! {
     @StartRule
     FourFaces --> inline(recompose) split(x) { '0.5 : split(z) { '0.5 : X. }* }* modify(f, noAlign) { all : t(0, 1, 0) X. } X.
     @StartRule
+    Turned --> r(13, 27, 41) inline(recompose) split(x) { '0.3 : X. | ~1 : split(z) { '0.7 : X. }* } modify(fe) { all : split(x) { ~2.3 : X. }* } X.
+    @StartRule
     Insets --> modify(fe) { all : split(x) { ~1 : X. | 1 : X. | 3 : t(0, 0, -2) X. | 1 : X. | ~1 : X. } } X.
 
     @StartRule
@@ -253,6 +255,17 @@ fn edges_give_insets() {
     assert!(["2.5 0 0", "3.5 0 2", "6.5 0 2", "7.5 0 0"].iter().all(|point| found.contains(&(*point).to_owned())));
     // Four trapezoids of 2 x 4 are missing.
     assert!((model.area() - 68.0).abs() < 1e-9);
+}
+
+/// Parts that lie in one plane are in it up to rounding. `scope.sy` is 0 all the same, so that rules can ask for it.
+#[test]
+fn a_flat_shape_stays_flat() {
+    for number in 1..50 {
+        let side = f64::from(number) * 0.37;
+        let model = on(side, 7.3, "Turned");
+        let size = model.leaves().next().expect("a leaf").scope().size;
+        assert_eq!(size.to_array().iter().filter(|&&size| size == 0.0).count(), 1, "{size}");
+    }
 }
 
 #[test]

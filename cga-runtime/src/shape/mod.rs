@@ -268,9 +268,9 @@ impl Shape {
     }
 
     /// Replaces the geometry by a mesh in scope coordinates with its own texture coordinates. The scope becomes its
-    /// bounding box.
+    /// bounding box. A size that is only a rounding error is zero, and the points are flat along that axis.
     pub fn set_mesh(&mut self, mesh: Mesh) {
-        let placed = Placed::fitted(mesh);
+        let placed = Placed::flattened(mesh);
         self.scope.origin += self.scope.axes * placed.low;
         self.scope.size = placed.size;
         self.geometry = Geometry::Mesh(Arc::new(placed));
@@ -301,7 +301,7 @@ impl Shape {
 
     /// Replaces the geometry by a wire in scope coordinates. The scope becomes its bounding box.
     pub(crate) fn set_wire(&mut self, wire: Wire) {
-        let placed = PlacedWire::fitted(wire);
+        let placed = PlacedWire::flattened(wire);
         self.scope.origin += self.scope.axes * placed.low;
         self.scope.size = placed.size;
         self.geometry = Geometry::Wire(Arc::new(placed));

@@ -6,6 +6,7 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::unit::UnitMesh;
 use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::tol::ANGLE_EPSILON;
 use crate::geometry::wire::Wire;
 
 /// The state of geometry since its insertion (*geometry.isInstanced function*).
@@ -37,6 +38,14 @@ impl Placed {
         let bounds = mesh.bounds();
         let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
         Placed { low, size: bounds.size(), mesh, inserted: Inserted::No, mirrored: false }
+    }
+
+    /// The same, after rounding errors along an axis are removed.
+    pub(crate) fn flattened(mesh: Mesh) -> Self {
+        Placed::fitted(match flattened(mesh.points(), mesh.bounds()) {
+            Some(points) => mesh.with_points(points),
+            None => mesh,
+        })
     }
 
     /// The mesh of a box or a rectangle.
@@ -79,9 +88,26 @@ impl PlacedWire {
         PlacedWire { low, size: bounds.size(), wire }
     }
 
+    /// The same, after rounding errors along an axis are removed.
+    pub(crate) fn flattened(wire: Wire) -> Self {
+        let bounds = Bounds::of(wire.points.iter().copied());
+        PlacedWire::fitted(match flattened(&wire.points, bounds) {
+            Some(points) => Wire { points, ..wire },
+            None => wire,
+        })
+    }
+
     /// The wire in scope coordinates.
     pub(crate) fn in_scope(&self, size: DVec3) -> Wire {
         let stretch = stretch(self.size, size);
         self.wire.stretched(stretch, -self.low * stretch)
     }
+}
+
+/// Points that are flat along an axis except for rounding, made flat, because rules and operations test for sizes of zero. `None` if
+/// no axis needs it.
+fn flattened(points: &[DVec3], bounds: Bounds) -> Option<Vec<DVec3>> {
+    let size = bounds.size();
+    let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
+    (size.is_finite() && flat.any()).then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
 }

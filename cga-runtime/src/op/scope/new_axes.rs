@@ -45,10 +45,7 @@ pub(in crate::op) fn refit(env: &mut Env, shape: &mut Shape, axes: DMat3, what: 
             }
             let turned = DAffine3 { matrix3: turn.transpose(), translation: DVec3::ZERO };
             let mesh = mesh.map(&turned);
-            let placed = Placed::fitted(match flattened(mesh.points()) {
-                Some(points) => mesh.with_points(points),
-                None => mesh,
-            });
+            let placed = Placed::flattened(mesh);
             let inserted = shape.geometry.inserted();
             let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
             (new, Geometry::Mesh(Arc::new(Placed { inserted, mirrored: shape.looks_inwards(), ..placed })))
@@ -91,11 +88,7 @@ fn around(scope: &Scope, turn: &DMat3, axes: DMat3) -> Scope {
 
 /// Edges and points along other axes.
 fn wire(scope: &Scope, turn: &DMat3, axes: DMat3, wire: Wire) -> (Scope, Geometry) {
-    let mut wire = wire.seen_from(&Frame { origin: DVec3::ZERO, axes: *turn });
-    if let Some(points) = flattened(&wire.points) {
-        wire.points = points;
-    }
-    let placed = PlacedWire::fitted(wire);
+    let placed = PlacedWire::flattened(wire.seen_from(&Frame { origin: DVec3::ZERO, axes: *turn }));
     let new = Scope { origin: scope.origin + axes * placed.low, axes, size: placed.size };
     (new, Geometry::Wire(Arc::new(placed)))
 }
@@ -119,13 +112,4 @@ pub(in crate::op) fn rectangle(scope: &Scope, axis: Axis, unit: UnitMesh, axes: 
         };
         near.then_some((Scope { origin, axes, size }, Geometry::Rect(new, unit.across(new))))
     })
-}
-
-/// Points that are flat along an axis except for rounding, made flat, as operations test for sizes of zero. `None` if
-/// no axis needs it.
-fn flattened(points: &[DVec3]) -> Option<Vec<DVec3>> {
-    let bounds = Bounds::of(points.iter().copied());
-    let size = bounds.size();
-    let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
-    flat.any().then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
 }
