@@ -68,10 +68,11 @@ impl FacePieces {
             };
             moves[number] && length < depth * inner * (1.0 - TIE_EPSILON)
         };
-        let length = |number: &usize| self.pieces[*number].length;
+        let length = |number: usize| self.pieces[number].length;
         let shortest = |moves: &[bool]| {
             let short = (0..moves.len()).filter(|&number| is_short(moves, number));
-            short.min_by(|a, b| length(a).total_cmp(&length(b)))
+            // Rounding does not choose between ends of one length: the first one stays.
+            short.reduce(|best, number| if length(number) < length(best) * (1.0 - TIE_EPSILON) { number } else { best })
         };
         while let Some(short) = shortest(moves) {
             moves[short] = false;

@@ -97,6 +97,21 @@ fn the_offset_moves_the_start() {
     assert_eq!((area, low, high), (4.0, 0.0, 2.0));
 }
 
+/// Three edges of a square, deeper than it: both ends are too short, and as long as each other.
+#[test]
+fn rounding_does_not_choose_the_end_that_stays() {
+    let pattern = repeated(&[(metres(2.317), 0.5171)]);
+    let first_corner = |rounding: f64| {
+        let shape = polygon(&[[0.0, 0.0], [0.31, 0.0], [0.31, 0.31 + rounding], [0.0, 0.31 - rounding]]);
+        let mask = Array::from_iter([true, true, false, true]);
+        let (made, _) = made(&shape, &pattern, 0.0, |env, sections| perimeter_of(env, sections, from(0.0), 3.0, mask));
+        let corner = made.mesh.face(0).outline().next().expect("a corner");
+        (corner * 1e9).round()
+    };
+    let exact = first_corner(0.0);
+    assert_eq!((first_corner(1e-16), first_corner(-1e-16)), (exact, exact));
+}
+
 /// A share, and gaps that take what is left.
 #[test]
 fn relative_and_floating_lengths() {
