@@ -236,9 +236,14 @@ impl<'a> Resolver<'_, 'a, '_> {
         if is_word {
             diag.help(format!("write `{found}`"));
         } else {
-            diag.suggest(nearest(found, list));
+            diag.suggest(nearest(found, list.clone()).or_else(|| initial(found, list)));
         }
     }
+}
+
+/// The word that is the first letter of a longer one, as `f` of `faces`.
+fn initial<'a>(found: &str, mut words: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    words.find(|word| word.len() == 1 && 2 < found.len() && found.starts_with(word))
 }
 
 /// The words of several parameters in their newest spelling, each once.

@@ -34,7 +34,11 @@ impl Parser<'_> {
         }
         let size = self.sized(true)?;
         if !self.eat(Sym::Colon) && !self.slipped_colon("the size") {
-            return self.fail("`:` after the size");
+            if !matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_))) {
+                return self.fail("`:` after the size");
+            }
+            let next = self.peek().map_or("nothing".into(), Tok::describe);
+            self.expected("`:` after the size").help(format!("write `:` before {next}"));
         }
         let ops = self.ops(false)?;
         Ok(SplitItem::Slot(size, ops))
