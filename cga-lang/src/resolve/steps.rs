@@ -57,13 +57,13 @@ fn calls(name: &str, declared: &[&Decl]) -> String {
     list.join(" or ")
 }
 
-/// The number meant by two arguments with a decimal comma between them.
-fn decimal(first: &Arg, second: &Arg) -> Option<String> {
-    let digits = |arg: &Arg| match arg.value.kind {
-        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
-        _ => None,
+/// Returns true if two arguments may be one number with a comma.
+fn has_comma(first: &Arg, second: &Arg) -> bool {
+    let is_whole = |arg: &Arg| match arg.value.kind {
+        ExprKind::Number(value) => arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9,
+        _ => false,
     };
-    Some(format!("{}.{}", digits(first)?, digits(second)?))
+    is_whole(first) && is_whole(second)
 }
 
 impl<'a> Resolver<'_, 'a, '_> {
@@ -184,12 +184,12 @@ impl<'a> Resolver<'_, 'a, '_> {
             self.operation(&rows[..1], args);
         }
         if let [first, second] = args
-            && let Some(number) = decimal(first, second)
+            && has_comma(first, second)
             && ops::operations(&name.text).any(|row| row.takes(1))
             && let Some(diag) = self.cx.diags.so_far().get_mut(before)
         {
             diag.span = first.span;
-            diag.help(format!("if it is one number, write `{number}` with a decimal point"));
+            diag.help("if it is one number: `.` is the decimal point, and nothing separates thousands");
         }
     }
 
@@ -469,7 +469,11 @@ impl<'a> Resolver<'_, 'a, '_> {
             longer.or_else(|| globals.meant(self.at, text, Namespace::Attrs, others).map(|near| near.to_string()));
         let is_operation = ops::operations(text).next().is_some();
         let message = format!("unknown attribute `{text}`");
+        let is_new = near.is_none() && !text.contains('.');
         let diag = self.cx.diags.report(Code::UnknownName, span, message).suggest(near);
+        if is_new && !is_operation {
+            diag.help(format!("declare it: `attr {text} = …`"));
+        }
         if is_operation {
             diag.help(format!("`{text}` is an operation: write `{text}(…)`"));
         }

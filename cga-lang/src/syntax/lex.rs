@@ -61,6 +61,7 @@ impl<'a> Lexer<'a> {
                 // In joined files a byte order mark may be in the middle.
                 c if c.is_whitespace() || c == '\u{feff}' => self.at += c.len_utf8(),
                 '#' | '\'' if self.holds_colour() => self.colour(start),
+                '\'' if self.holds_single_quotes() => self.single_quotes(start),
                 '#' if self.holds_rust_value() => self.rust_value(start),
                 '#' => _ = self.line(),
                 '/' if self.rest().starts_with("///") && !self.rest().starts_with("////") => self.doc(start),
@@ -216,6 +217,26 @@ impl<'a> Lexer<'a> {
             "`#` begins a comment in a file, and Rust values are for inline rules",
         );
         diag.help(help);
+    }
+
+    /// Returns true if text with single quotation marks begins here: `'hello'`. No relative size ends with one.
+    fn holds_single_quotes(&self) -> bool {
+        let Some(text) = recovery::single_quotes(self.rest()) else { return false };
+        match self.tokens.as_slice().last() {
+            Some(Tok::Sym(Sym::Assign | Sym::EqEq | Sym::NotEq | Sym::Plus)) => true,
+            // Old files have a relative size with a second quotation mark: `'h'`.
+            Some(Tok::Sym(Sym::LParen | Sym::LBracket | Sym::Comma)) => !text.chars().all(continues_name),
+            _ => false,
+        }
+    }
+
+    /// Reads text with single quotation marks.
+    fn single_quotes(&mut self, start: usize) {
+        let text = recovery::single_quotes(self.rest()).unwrap_or_default();
+        self.at += text.len() + 2;
+        let span = self.push(start, Tok::Str(text.to_owned()));
+        let diag = self.diags.report(Code::Syntax, span, "text has double quotation marks");
+        diag.help(format!("write `\"{text}\"`"));
     }
 
     /// Reads a colour without its quotation marks.

@@ -41,7 +41,7 @@ fn cases(file: &str) -> Vec<Case> {
 #[test]
 fn the_first_message_about_a_mistake_proposes_the_right_text_at_the_right_token() {
     let (mut wrong, list) = (String::new(), cases("mistakes.txt"));
-    assert_eq!(list.len(), 54);
+    assert_eq!(list.len(), 60);
     for Case { title, text, at, help } in &list {
         assert!(!at.is_empty() && !help.is_empty(), "{title}");
         let (compiled, lexed) = crate::common::compiled(text);

@@ -35,6 +35,14 @@ pub(super) fn colour(text: &str) -> Option<usize> {
     is_colour.then_some(1 + end)
 }
 
+/// The text between single quotation marks at the beginning of a text: a word, several words, or the name of a file.
+pub(super) fn single_quotes(text: &str) -> Option<&str> {
+    let text = text.strip_prefix('\'').filter(|text| text.starts_with(super::starts_name))?;
+    let end = text.find(|c| !(super::continues_name(c) || matches!(c, ' ' | '.' | '/' | '-' | ':')))?;
+    let rest = text[end..].strip_prefix('\'')?;
+    (!rest.starts_with(super::continues_name)).then_some(&text[..end])
+}
+
 /// Returns true if a colour must have been meant as text. As a comment, it would hide the closing bracket or the
 /// value of a declaration. `rest` is the text after it.
 pub(super) fn is_no_comment(rest: &str, in_brackets: bool) -> bool {

@@ -134,6 +134,7 @@ impl Parser<'_> {
                 (Some(Tok::Ident(name)), true) => format!("write `{name}`: a value has no braces"),
                 _ => "a value has no braces: write `( … )` around a part of it".into(),
             },
+            Tok::Sym(Sym::LBrace) if step => "slots come after a split: write `split(x) { … }`".into(),
             Tok::Sym(Sym::Quote) => {
                 format!("`{RELATIVE}` begins a relative size; a power is `pow(base, exponent)`")
             }
@@ -260,6 +261,9 @@ impl Parser<'_> {
                 }
                 diag
             }
+            Some(Tok::Sym(Sym::Bar)) => self
+                .syntax(self.at, format!("unexpected {found}"))
+                .help("`|` separates the parts of a split or comp, between its braces"),
             _ => self.syntax(self.at, format!("unexpected {found}")),
         };
     }
