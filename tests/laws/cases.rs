@@ -246,6 +246,23 @@ fn faces_that_are_thinner_than_rounding_are_no_difference() {
     assert!(difference(&run(1e-15), &turned, Tolerance { length: 1e-9 }).is_some());
 }
 
+/// A triangle of 1 m², and a triangle without area on one of its sides, which begins at a corner.
+fn with_flat_cap(first: usize) -> Shape {
+    let mut builder = cga::MeshBuilder::new();
+    let points = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [-1.0, 0.0]];
+    let points: Vec<u32> = points.iter().map(|&[x, y]| builder.point([x, y, 0.0])).collect();
+    builder.polygon(&[0, 1, 2].map(|at| points[(at + first) % 3]));
+    builder.polygon(&[points[3], points[0], points[2]]);
+    Shape::mesh_axis_aligned(builder.build().expect("a mesh"))
+}
+
+/// Seed 5493: rounding decides how the cap of flat geometry begins.
+#[test]
+fn the_first_corner_of_a_face_without_area_is_no_difference() {
+    let run = |first: usize| outcome(&Whole::default(), &Settings::default(), &with_flat_cap(first));
+    assert_eq!(difference(&run(0), &run(1), Tolerance { length: 1e-9 }), None);
+}
+
 cga! {
     grammar Edited;
     Lot  --> extrude(0.8828) comp(f) { side : Wall }

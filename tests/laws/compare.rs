@@ -183,13 +183,14 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
         .or_else(|| scope(&a.scope(), &b.scope(), tolerance))
         .or_else(|| {
             let found = faces(&mesh, &other, &placement, tolerance).or_else(points)?;
-            // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not.
+            // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not. Where flat geometry is cut,
+            // rounding decides the first corner of the cap.
             let [mesh, other] = [mesh.map(&placement), other.map(&place)];
             (!differs_in_thin_faces(&mesh, &other, tolerance)).then_some(found)
         })
 }
 
-/// Returns true if one mesh has thin faces that the other one does not have, and the other faces and the bounds are alike.
+/// Returns true if a mesh has thin faces, and the other faces and the bounds of both are alike.
 fn differs_in_thin_faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
     let thick = |mesh: &Mesh| -> Vec<_> {
         let faces = mesh.faces().filter(|face| !is_thin(face, tolerance));
@@ -207,7 +208,7 @@ fn differs_in_thin_faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
             && tolerance.vectors(*normal, its.4, 1e-9)
     };
     let [low, high] = [(a.bounds().low, b.bounds().low), (a.bounds().high, b.bounds().high)];
-    a.face_count() != b.face_count()
+    own.len() < a.face_count().max(b.face_count())
         && own.len() == its.len()
         && own.iter().zip(&its).all(is_alike)
         && tolerance.vectors(low.0, low.1, 0.0)
