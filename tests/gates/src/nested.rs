@@ -71,15 +71,89 @@ impl Building {
     fn contains(&self, point: DVec3) -> bool {
         let Bounds { low, high } = self.bounds;
         let within = (low + DEPTH).cmplt(point).all() && point.cmplt(high - DEPTH).all();
-        within && 0.6 < self.triangles.iter().map(|triangle| solid_angle(triangle, point)).sum::<f64>() / (4.0 * PI)
+        within && 0.6 < self.share_of_directions(point)
+    }
+
+    /// The share of the directions from a point that surfaces fill, positive where their backs are seen.
+    ///
+    /// Half of the solid angle of a triangle is the angle of a complex number. So the sum for all triangles is the angle of their product, and its
+    /// full turns are counted on the way.
+    fn share_of_directions(&self, point: DVec3) -> f64 {
+        let (mut turns, mut re, mut im) = (0.0, 1.0, 0.0);
+        for triangle in &self.triangles {
+            let (along, across) = half_solid_angle(triangle, point);
+            let length = libm::sqrt(along * along + across * across);
+            if length == 0.0 {
+                continue;
+            }
+            let product = ((re * along - im * across) / length, (re * across + im * along) / length);
+            if 0.0 <= im && 0.0 <= across && product.1 < 0.0 {
+                turns += 1.0;
+            } else if im < 0.0 && across < 0.0 && 0.0 <= product.1 {
+                turns -= 1.0;
+            }
+            (re, im) = product;
+        }
+        turns + libm::atan2(im, re) / (2.0 * PI)
     }
 }
 
-/// The signed solid angle of a triangle, positive if its back is seen.
-fn solid_angle(triangle: &Triangle, point: DVec3) -> f64 {
+/// A complex number with half of the signed solid angle of a triangle, which is positive if its back is seen.
+fn half_solid_angle(triangle: &Triangle, point: DVec3) -> (f64, f64) {
     let [a, b, c] = triangle.corners.map(|corner| corner - point);
     let [la, lb, lc] = [a.length(), b.length(), c.length()];
-    let volume = a.dot(b.cross(c));
-    let below = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    2.0 * libm::atan2(volume, below)
+    (la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb, a.dot(b.cross(c)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A star of triangles around the origin: from each edge of some polygons to its neighbours.
+    fn sphere(rows: u32, columns: u32, inwards: bool) -> Building {
+        let place = |row: u32, column: u32| {
+            let (up, around) =
+                (PI * f64::from(row) / f64::from(rows), 2.0 * PI * f64::from(column) / f64::from(columns));
+            DVec3::new(libm::sin(up) * libm::cos(around), libm::cos(up), libm::sin(up) * libm::sin(around))
+        };
+        let mut triangles = Vec::new();
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+            let [a, b] = [place(row, column), place(row, column + 1)];
+            let [c, d] = [place(row + 1, column + 1), place(row + 1, column)];
+            for corners in [[a, b, c], [a, c, d]] {
+                let corners = if inwards { [corners[0], corners[2], corners[1]] } else { corners };
+                triangles.push(Triangle { corners, normal: DVec3::Y, part: 0 });
+            }
+        }
+        Building { bounds: Bounds::EMPTY, triangles }
+    }
+
+    fn by_angles(building: &Building, point: DVec3) -> f64 {
+        let angle = |triangle: &Triangle| {
+            let (along, across) = half_solid_angle(triangle, point);
+            libm::atan2(across, along)
+        };
+        building.triangles.iter().map(angle).sum::<f64>() / (2.0 * PI)
+    }
+
+    #[test]
+    fn the_share_is_the_sum_of_the_angles() {
+        for inwards in [false, true] {
+            for (rows, columns) in [(2, 3), (5, 8), (20, 31)] {
+                let mut building = sphere(rows, columns, inwards);
+                for number in 0..60 {
+                    let at = f64::from(number) * 0.05 - 1.51;
+                    let point = DVec3::new(at, 0.3 * at, 0.17 - 0.2 * at);
+                    let [share, sum] = [building.share_of_directions(point), by_angles(&building, point)];
+                    assert!((share - sum).abs() < 1e-9, "{share} {sum}");
+                }
+                // Also twice around, and with a hole.
+                building.triangles.extend_from_within(..);
+                building.triangles.pop();
+                let [share, sum] =
+                    [building.share_of_directions(DVec3::splat(0.1)), by_angles(&building, DVec3::splat(0.1))];
+                assert!((share - sum).abs() < 1e-9 && 1.5 < share.abs(), "{share} {sum}");
+            }
+        }
+    }
 }
