@@ -22,11 +22,6 @@ pub(super) fn check_edges(count: usize) -> Result<(), StreetError> {
     if MOST_EDGES < count { Err(StreetError::TooLarge { most: MOST_EDGES }) } else { Ok(()) }
 }
 
-/// An error if more polygons cover faces than may do so.
-fn check_covers(count: usize) -> Result<(), StreetError> {
-    if MOST_COVERS < count { Err(StreetError::TooDense { most: MOST_CROSSINGS }) } else { Ok(()) }
-}
-
 /// The number for "no owner".
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -50,6 +45,11 @@ impl Subdivision {
     /// Divides the plane by counter-clockwise polygons, which may overlap. An error if they have too many edges, or if these cross too
     /// often.
     pub(super) fn new(polygons: &[Vec<Point>]) -> Result<Self, StreetError> {
+        Subdivision::within(polygons, MOST_COVERS)
+    }
+
+    /// The same with a limit on polygons that cover faces.
+    pub(super) fn within(polygons: &[Vec<Point>], most_covers: usize) -> Result<Self, StreetError> {
         check_edges(polygons.iter().map(Vec::len).sum())?;
         let sorted = |[a, b]: [Point; 2]| if a < b { [a, b] } else { [b, a] };
         let mut segments: Vec<[Point; 2]> =
@@ -99,7 +99,7 @@ impl Subdivision {
         spend(EDGE * next.len() / 8)?;
         let (cycle, first) = cycles(&next);
         let mut made = Subdivision { points, origin, next, cycle, first, covers: Vec::new() };
-        made.cover(polygons, &changes)?;
+        made.cover(polygons, &changes, most_covers)?;
         Ok(made)
     }
 
@@ -123,9 +123,14 @@ impl Subdivision {
     }
 
     /// Finds the covering polygons of all faces, from the outer border of each connected part inwards.
-    fn cover(&mut self, polygons: &[Vec<Point>], changes: &[Vec<Change>]) -> Result<(), StreetError> {
+    fn cover(&mut self, polygons: &[Vec<Point>], changes: &[Vec<Change>], most: usize) -> Result<(), StreetError> {
         let faces = self.first.len();
         let mut count = 0;
+        let mut add = |more: usize| {
+            spend(more)?;
+            count += more;
+            if count <= most { Ok(()) } else { Err(StreetError::TooDense { most: MOST_CROSSINGS }) }
+        };
         let mut windings: Vec<Option<Vec<Change>>> = vec![None; faces];
         let mut members: Vec<Vec<u32>> = vec![Vec::new(); faces];
         spend(EDGE * faces)?;
@@ -166,8 +171,7 @@ impl Subdivision {
                 }
             });
             spend(EDGE + near + sides)?;
-            count += around.len();
-            check_covers(count)?;
+            add(around.len())?;
             around.small_sort();
             windings[outer as usize] = Some(around);
             let mut waiting = vec![outer];
@@ -180,9 +184,7 @@ impl Subdivision {
                         let sign = if half % 2 == 0 { -1 } else { 1 };
                         let here = windings[cycle as usize].as_deref().unwrap_or_default();
                         let sum = added(here, &changes[half as usize / 2], sign);
-                        count += sum.len();
-                        check_covers(count)?;
-                        spend(sum.len())?;
+                        add(sum.len())?;
                         windings[other] = Some(sum);
                         waiting.push(other as u32);
                     }

@@ -27,6 +27,7 @@ use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix};
 use crate::mesh::{FaceRef, Mesh};
 use crate::origin::PointOrigin;
 use crate::unbent::without_bent_faces;
+use crate::work;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -86,7 +87,10 @@ pub fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     Convexified { made: is_cut.then(|| assembled(&net, &concave, &parts)), refused }
 }
 
-/// The mesh with the parts of its concave faces, and the origins of its points.
+/// The units of work of a corner.
+const CORNER: usize = 8;
+
+/// The mesh with the parts of its concave faces, and the origins of its points. Empty if the work is to end.
 fn assembled(net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PointOrigin>) {
     let mesh = &net.pool;
     let mut made = Derivation::new(mesh, CornerValues::All, net.corner_count()).without_trace();
@@ -95,6 +99,9 @@ fn assembled(net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<Po
     }
     let mut cut = concave.iter().zip(parts).peekable();
     for face in mesh.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
         let whole = || vec![face.loop_ranges().map(|ring| ring.start as u32).collect()];
         let parts = cut.next_if(|(number, _)| **number == face.index());
         for part in parts.map_or_else(whole, |(_, parts)| parts.clone()) {

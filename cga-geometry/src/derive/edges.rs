@@ -98,6 +98,9 @@ impl EdgeOrigins {
             }
         }
         for (point, origin) in (0..).zip(origins) {
+            if !work::spend(EDGE) {
+                return SubcomponentTags::default();
+            }
             if let Some(set) = origin.old().and_then(|vertex| old.vertex(vertex)) {
                 tags.vertex(point, set);
             }

@@ -86,6 +86,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
+use crate::work;
 pub use crate::origin::PointOrigin;
 use edges::EdgeOrigins;
 use faces::FaceTags;
@@ -93,6 +94,9 @@ pub use origin::FaceOrigin;
 pub(crate) use origin::{EdgeOrigin, EdgeSource};
 pub(crate) use values::Mix;
 use values::OldFace;
+
+/// The units of work of a corner whose point gets another number.
+const USE: usize = 2;
 
 /// The number of sets of tags that parts of a mesh share with it, whether their faces have these tags or not.
 const FEW_SETS: usize = 8;
@@ -372,22 +376,33 @@ impl<'s> Derivation<'s> {
         self.made.subcomponent_tags = edges.tags(self.source, &self.made, &self.origins);
     }
 
-    /// The mesh with the points that faces use, in their order.
+    /// The mesh with the points that faces use, in their order; empty if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) is to end.
     pub fn finish_used(mut self) -> Mesh {
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         let before = self.made.number_used();
         self.renumbered(&before).finish()
     }
 
     /// The same mesh, and the origins of its points, if the source has values, tags or a trace.
     pub fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
+        if !work::spend(USE * self.made.corners.len()) {
+            return (Mesh::default(), Vec::new());
+        }
         let before = self.made.number_used();
         let made = self.renumbered(&before);
         let origins = made.origins.clone();
         (made.finish(), origins)
     }
 
-    /// The mesh with its points in the order of their first use; unused ones are dropped.
+    /// The mesh with its points in the order of their first use; unused ones are dropped. It is empty if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) is to end.
     pub fn finish_by_use(mut self) -> Mesh {
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         let before = self.made.number_by_use();
         self.renumbered(&before).finish()
     }

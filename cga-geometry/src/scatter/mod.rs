@@ -48,6 +48,9 @@ const MOST_MISSES: [u64; 2] = [200, 100_000];
 const HALVING: usize = 64;
 const DRAWING: usize = 32;
 
+/// The units of work of a corner whose face is triangulated.
+const TRIANGLE: usize = 16;
+
 /// A part of the domain.
 #[derive(Debug)]
 struct DensityCell {
@@ -149,7 +152,8 @@ pub struct Domain {
 impl Domain {
     /// The faces of a mesh, for `count` points.
     pub fn surface(mesh: &Mesh, bell: Bell, count: u64) -> Self {
-        let cells = triangles(mesh).into_iter().filter_map(|(corners, normal)| triangle(corners, normal, &bell));
+        let cell = |(corners, normal)| if work::spend(HALVING) { triangle(corners, normal, &bell) } else { None };
+        let cells = triangles(mesh).into_iter().filter_map(cell);
         Domain::of(cells.collect(), bell, None, count)
     }
 
@@ -261,10 +265,13 @@ impl Domain {
     }
 }
 
-/// The triangles of all faces, with their normals.
+/// The triangles of all faces, with their normals. Some are missing if the work is to end.
 fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
     let (mut triangulator, mut list, mut all) = (Triangulator::new(), Vec::new(), Vec::new());
     for face in mesh.faces() {
+        if !work::spend(TRIANGLE * face.corner_count()) {
+            break;
+        }
         list.clear();
         triangulator.steady_face(mesh, face.index(), &mut list);
         let normal = unit(face.normal());
