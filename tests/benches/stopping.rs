@@ -63,7 +63,7 @@ fn run(rule: &str, shape: &Shape, last: u64) -> (Questions, Duration) {
         Duration::MAX
     });
     let _ = own.set(watch.clone());
-    let limits = Limits { vertices: 3_000_000, ..Limits::default() };
+    let limits = Limits { vertices: 20_000_000, bytes: 1 << 32, ..Limits::default() };
     let settings = Settings { start: Some(rule.to_owned()), limits, watch: Some(watch), ..Settings::default() };
     // Some rows end at a limit.
     drop(Every::default().generate_with(shape, &settings));
