@@ -5,14 +5,18 @@ use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use cga::{Error, Grammar, Settings, Shape, Text, Watch, cga};
-use cga_lang::ops::{Changes, all_operations};
-use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes};
+use cga_lang::ops::{Changes, Operation, all_operations};
+use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes, sphere};
+
+/// The operations that may read or change a whole mesh.
+fn whole_operations() -> impl Iterator<Item = &'static Operation> {
+    all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
+}
 
 #[test]
 fn every_operation_that_is_not_slim_has_a_row() {
     let text = include_str!("../rules/one_operation.cga");
-    for operation in all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
-    {
+    for operation in whole_operations() {
         let name = operation.name;
         let is_call =
             |at: usize| !text[..at].ends_with(char::is_alphanumeric) && text[at + name.len()..].starts_with(['(', ' ']);
@@ -62,6 +66,52 @@ fn every_operation_asks_its_watch() {
             let bound = bounds[number].1;
             assert!(1 < count && most <= bound, "{rule}: {most} units between two of {count} questions, not {bound}");
         }
+    }
+}
+
+/// Operations whose work does not grow with the faces of the shape, and why.
+const CONSTANT: [(&str, &str); 1] = [
+    ("i", "the asset replaces the mesh"),
+];
+
+/// The rules that begin with an operation.
+fn rules_of(operation: &str) -> Vec<&'static str> {
+    let lines = include_str!("../rules/one_operation.cga").lines().filter_map(|line| line.split_once(" --> "));
+    let begins = |body: &str| body.strip_prefix(operation).is_some_and(|rest| rest.starts_with(['(', ' ']));
+    lines.filter(|(rule, body)| rule.starts_with('R') && begins(body)).map(|(rule, _)| rule).collect()
+}
+
+/// The work of a run that is stopped after an amount of work, in units.
+fn work(rule: &str, shape: &Shape, most: u64) -> u64 {
+    let own: Arc<OnceLock<Watch>> = Arc::default();
+    let asked = own.clone();
+    let watch = Watch::deadline_by(Duration::from_secs(1), move || {
+        let work = asked.get().map_or(0, |watch| watch.progress().work);
+        if work < most { Duration::ZERO } else { Duration::MAX }
+    });
+    let _ = own.set(watch.clone());
+    let settings = Settings { start: Some(rule.to_owned()), watch: Some(watch.clone()), ..Settings::default() };
+    drop(Every::default().generate_with(shape, &settings));
+    watch.progress().work
+}
+
+/// An operation that reads or makes all faces counts them, besides the count of the result: it asks once for each 65,536 units.
+#[test]
+fn every_operation_asks_again_and_again_on_a_large_mesh() {
+    const ROWS: usize = 100;
+    /// The units of work of a corner.
+    const LEAST: u64 = 2;
+    let shape = sphere(ROWS);
+    let corners = (8 * ROWS * ROWS) as u64;
+    let least = work("A", &shape, u64::MAX) + LEAST * corners;
+    for operation in whole_operations() {
+        let rules = rules_of(operation.name);
+        let is_constant = CONSTANT.iter().any(|constant| constant.0 == operation.name);
+        for rule in &rules {
+            let work = work(rule, &shape, least);
+            if (work < least) != is_constant { println!("{} {rule}: {work} units, not {least}", operation.name); }
+        }
+        if rules.is_empty() { println!("{} no rule", operation.name); }
     }
 }
 
