@@ -67,15 +67,20 @@ pub fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
         let origins = || (0..flat.points.len() as u32).map(PointOrigin::Old).collect();
         return Convexified { made: cut.made.or_else(|| Some((flat.clone(), origins()))), ..cut };
     }
-    let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
-    if concave.is_empty() || longest <= 0.0 {
-        return Convexified { made: None, refused: Vec::new() };
+    let none = || Convexified { made: None, refused: Vec::new() };
+    let is_cut = |face: &FaceRef<'_>| work::spend(CORNER * face.corner_count()) && is_concave(face);
+    let concave: Vec<usize> = mesh.faces().filter(is_cut).map(|face| face.index()).collect();
+    if concave.is_empty() || longest <= 0.0 || mesh.adjacency_in_time().is_none() {
+        return none();
     }
     let mut net = Net::of(mesh);
     let mut refused = Vec::new();
     let mut parts: Vec<Vec<Part>> = Vec::with_capacity(concave.len());
     for &number in &concave {
         let face = mesh.face(number);
+        if !work::spend(CORNER * face.corner_count()) {
+            return none();
+        }
         let heads: Vec<u32> = face.loop_ranges().map(|ring| ring.start as u32).collect();
         let plane = Plane::of(face.normal(), face.corner_range().map(|corner| face.position(corner)));
         parts.push(divide(&mut net, &heads, plane, longest).unwrap_or_else(|| {

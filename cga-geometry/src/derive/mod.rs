@@ -383,6 +383,9 @@ impl<'s> Derivation<'s> {
             return Mesh::default();
         }
         let before = self.made.number_used();
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         self.renumbered(&before).finish()
     }
 
@@ -404,6 +407,9 @@ impl<'s> Derivation<'s> {
             return Mesh::default();
         }
         let before = self.made.number_by_use();
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         self.renumbered(&before).finish()
     }
 

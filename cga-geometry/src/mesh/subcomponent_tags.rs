@@ -9,7 +9,6 @@ use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::each::Each;
 use crate::long_sort::long_sort_by;
 use crate::origin::PointOrigin;
-use crate::small_sort::SmallSort;
 use crate::trace::UNTRACED;
 use crate::work;
 
@@ -117,24 +116,27 @@ impl SubcomponentTags {
         SubcomponentTags::of(lists.sets.clone(), found, (0..points).filter_map(of_vertex).collect())
     }
 
-    /// These tags, and one more on each of the edges.
+    /// These tags, and one more on each of the edges. No tags if the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
-        edges.small_sort();
+        if !long_sort_by(&mut edges, Ord::cmp) {
+            return SubcomponentTags::default();
+        }
         edges.dedup();
         let own = TagSet::new([name]);
-        edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
+        edges.into_iter().take_while(|_| work::spend(FINDING)).for_each(|edge| tagger.edge(edge, &own));
         tagger.finish()
     }
 
-    /// These tags, and one more on each of the first `points` vertices.
+    /// These tags, and one more on each of the first `points` vertices. No tags if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn with_vertices(&self, points: usize, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let own = TagSet::new([name]);
-        (0..points as u32).for_each(|point| tagger.vertex(point, &own));
+        (0..points as u32).take_while(|_| work::spend(FINDING)).for_each(|point| tagger.vertex(point, &own));
         tagger.finish()
     }
 
