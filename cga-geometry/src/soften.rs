@@ -57,7 +57,8 @@ impl Mesh {
             mesh.normals = (0..self.corners.len() as u32).map(normal).collect();
             let mut average = AverageNormal::default();
             groups.flatten();
-            let sets = Buckets::by(self.corners.len(), (0..self.corners.len() as u32).map(|corner| groups.find(corner)));
+            let sets =
+                Buckets::by(self.corners.len(), (0..self.corners.len() as u32).map(|corner| groups.find(corner)));
             // Each set is at the place of its first corner.
             for group in (0..self.corners.len()).map(|first| sets.of(first)).filter(|group| 1 < group.len()) {
                 if !work::spend(CORNER * group.len()) {

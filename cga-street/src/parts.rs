@@ -224,6 +224,7 @@ fn junction(
         3 if straight => Kind::Junction,
         _ => Kind::Crossing,
     };
-    let part = |mesh| NetworkPart { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh };
+    let part =
+        |mesh| NetworkPart { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh };
     Ok(mesh(&faces, heights, 1).map(part))
 }

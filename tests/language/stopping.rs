@@ -70,9 +70,7 @@ fn every_operation_asks_its_watch() {
 }
 
 /// Operations whose work does not grow with the faces of the shape, and why.
-const CONSTANT: [(&str, &str); 1] = [
-    ("i", "the asset replaces the mesh"),
-];
+const CONSTANT: [(&str, &str); 1] = [("i", "the asset replaces the mesh")];
 
 /// The rules that begin with an operation.
 fn rules_of(operation: &str) -> Vec<&'static str> {
@@ -109,9 +107,13 @@ fn every_operation_asks_again_and_again_on_a_large_mesh() {
         let is_constant = CONSTANT.iter().any(|constant| constant.0 == operation.name);
         for rule in &rules {
             let work = work(rule, &shape, least);
-            if (work < least) != is_constant { println!("{} {rule}: {work} units, not {least}", operation.name); }
+            if (work < least) != is_constant {
+                println!("{} {rule}: {work} units, not {least}", operation.name);
+            }
         }
-        if rules.is_empty() { println!("{} no rule", operation.name); }
+        if rules.is_empty() {
+            println!("{} no rule", operation.name);
+        }
     }
 }
 

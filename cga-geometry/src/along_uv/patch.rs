@@ -4,9 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightDirection};
 use crate::each::Each;
-use crate::long_sort::long_sort_by;
 use crate::exact::{comes_first, orient};
 use crate::extrude::vertex_normals;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TooManyCorners};
 use crate::nesting::extent::Extent;
 use crate::segment::nearest_share;

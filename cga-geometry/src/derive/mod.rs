@@ -86,8 +86,8 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
-use crate::work;
 pub use crate::origin::PointOrigin;
+use crate::work;
 use edges::EdgeOrigins;
 use faces::FaceTags;
 pub use origin::FaceOrigin;
@@ -395,9 +395,11 @@ impl<'s> Derivation<'s> {
             return (Mesh::default(), Vec::new());
         }
         let before = self.made.number_used();
-        let made = self.renumbered(&before);
-        let origins = made.origins.clone();
-        (made.finish(), origins)
+        let origins: Vec<PointOrigin> = match self.has_origins {
+            true => before.iter().map(|point| self.origins[*point as usize]).collect(),
+            false => Vec::new(),
+        };
+        (self.renumbered(&before).finish(), origins)
     }
 
     /// The mesh with its points in the order of their first use; unused ones are dropped. It is empty if the work of a
@@ -415,7 +417,8 @@ impl<'s> Derivation<'s> {
 
     /// The same after points got other numbers. `before` are their old ones.
     fn renumbered(mut self, before: &[u32]) -> Self {
-        if self.has_origins {
+        // Only tags and traces need them from here on.
+        if self.has_origins && (self.tags.is_some() || self.source.needs_origins()) {
             self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
         }
         if let Some(tags) = &mut self.tags {

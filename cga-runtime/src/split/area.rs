@@ -4,8 +4,8 @@ use glam::DVec3;
 
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
-use crate::geometry::mesh::FaceRef;
 use crate::geometry::long_sort::long_sort_by;
+use crate::geometry::mesh::FaceRef;
 use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
 use crate::geometry::work;
 use crate::shape::{Geometry, Placed, Shape};
