@@ -8,7 +8,7 @@
 mod bell;
 mod solid;
 
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
@@ -17,6 +17,7 @@ pub use bell::Bell;
 use solid::Solid;
 
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, unit};
 use crate::triangulate::Triangulator;
 use crate::work;
@@ -179,9 +180,7 @@ impl Domain {
             if !work::spend(HALVING * first.len()) {
                 first.clear();
             }
-            // The order in which the heap would give them.
-            first.sort_unstable_by(|a, b| b.cmp(a));
-            return Domain::divided(first, bell, solid, count);
+            return Domain::divided(from_largest(first), bell, solid, count);
         }
         let mut heap = BinaryHeap::from(first);
         let mut cells = Vec::new();
@@ -263,6 +262,17 @@ impl Domain {
             }
         }
     }
+}
+
+/// The cells in the order in which a heap would give them; none if the work is to end.
+fn from_largest(cells: Vec<DensityCell>) -> Vec<DensityCell> {
+    let mut order: Vec<(Reverse<i64>, u64, usize)> =
+        cells.iter().enumerate().map(|(at, cell)| (Reverse(cell.step), cell.number, at)).collect();
+    if !long_sort_by(&mut order, Ord::cmp) {
+        return Vec::new();
+    }
+    let mut cells: Vec<Option<DensityCell>> = cells.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, _, at)| cells[at].take()).collect()
 }
 
 /// The triangles of all faces, with their normals. Some are missing if the work is to end.
