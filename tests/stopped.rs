@@ -1,5 +1,6 @@
 //! Rules and shapes for the test and the bench of stopped runs.
 
+use cga::glam::DVec2;
 use cga::{Grammar as _, MeshBuilder, Shape, Text};
 
 cga::cga! {
@@ -58,4 +59,38 @@ pub fn shapes() -> [Shape; 3] {
     }
     let soup = Shape::mesh(soup.build().expect("a mesh"));
     [flat(comb), flat(star), soup]
+}
+
+/// A closed sphere of `2 * rows * rows` faces with texture coordinates.
+pub fn sphere(rows: usize) -> Shape {
+    let sides = 2 * rows;
+    let mut mesh = MeshBuilder::new();
+    let mut point = |row: usize, side: usize| {
+        let (up, out) = libm::sincos((row as f64 / rows as f64 - 0.5) * std::f64::consts::PI);
+        let (sin, cos) = libm::sincos(side as f64 / sides as f64 * std::f64::consts::TAU);
+        mesh.point([10.0 * out * cos, 10.0 * up, -10.0 * out * sin])
+    };
+    let poles = [[0.0, -10.0, 0.0], [0.0, 10.0, 0.0]];
+    let rings: Vec<Vec<u32>> = (1..rows).map(|row| (0..sides).map(|side| point(row, side)).collect()).collect();
+    let [bottom, top] = poles.map(|pole| mesh.point(pole));
+    for row in 0..rows {
+        for side in 0..sides {
+            let corner = |row: usize, side: usize| match row {
+                0 => bottom,
+                row if row == rows => top,
+                row => rings[row - 1][side % sides],
+            };
+            let uv = |row: usize, side: usize| DVec2::new(side as f64 / sides as f64, row as f64 / rows as f64);
+            let mut all = vec![(row, side), (row, side + 1), (row + 1, side + 1), (row + 1, side)];
+            if row == 0 {
+                all.remove(0);
+            } else if row + 1 == rows {
+                all.remove(2);
+            }
+            let corners: Vec<u32> = all.iter().map(|&(row, side)| corner(row, side)).collect();
+            let uvs: Vec<DVec2> = all.iter().map(|&(row, side)| uv(row, side)).collect();
+            mesh.polygon(&corners).uvs(&uvs);
+        }
+    }
+    Shape::mesh(mesh.build().expect("a mesh"))
 }

@@ -12,9 +12,13 @@ use super::mesh::{Bounds, FaceRef, Mesh};
 use crate::each::Each;
 use crate::exact::orient;
 use crate::mesh::pair_table::PairTable;
+use crate::work;
 
 /// Open faces are turned up if the vertical part of their area vector is at least this share of their area.
 const UPRIGHT: f64 = 0.05;
+
+/// The units of work of a corner in a pass.
+const CORNER: usize = 8;
 
 /// The limit on faces that are tested to find out which parts are inside others. Further parts count as outermost.
 const MOST_TESTS: usize = 1 << 26;
@@ -40,8 +44,16 @@ struct Patch {
 /// Finds the faces to turn so that neighbours agree, and look to the side of `up`, of length 1, where a choice is left.
 /// [`Mesh::turned`] turns them.
 ///
-/// The time is linear in the corners, and at most quadratic in the number of closed parts, up to a limit.
+/// The time is linear in the corners, and at most quadratic in the number of closed parts, up to a limit. If the work of a
+/// [`Supervisor`](crate::work::Supervisor) ends meanwhile, no face is turned.
 pub fn conform(mesh: &Mesh, up: DVec3) -> Conforming {
+    let none = || Conforming { turned: vec![false; mesh.face_count()], refused: Vec::new() };
+    conform_in_time(mesh, up).unwrap_or_else(none)
+}
+
+/// [`conform`]. `None` if the work is to end.
+fn conform_in_time(mesh: &Mesh, up: DVec3) -> Option<Conforming> {
+    mesh.adjacency_in_time()?;
     let mut found = Conforming { turned: vec![false; mesh.face_count()], refused: Vec::new() };
     let mut patches = Vec::new();
     let mut seen = vec![false; mesh.face_count()];
@@ -51,7 +63,7 @@ pub fn conform(mesh: &Mesh, up: DVec3) -> Conforming {
         }
         let faces = agree(mesh, face, &mut seen, &mut found.turned);
         match faces {
-            Ok(faces) => patches.push(Patch::of(mesh, faces, &found.turned)),
+            Ok(faces) => patches.push(Patch::of(mesh, faces, &found.turned)?),
             Err(faces) => {
                 faces.into_iter().for_each(|face| found.turned[face as usize] = false);
                 found.refused.push(face as usize);
@@ -63,6 +75,9 @@ pub fn conform(mesh: &Mesh, up: DVec3) -> Conforming {
     let closed: Vec<usize> = (0..patches.len()).filter(|&patch| patches[patch].is_closed).collect();
     let mut wrong = Vec::new();
     for (number, patch) in patches.iter().enumerate() {
+        if !work::spend(CORNER * patch.faces.len()) {
+            return None;
+        }
         let is_wrong = if patch.is_closed {
             let others = closed.iter().filter(|&&other| other != number).map(|&other| &patches[other]);
             let is_cavity = patch.is_inside_odd(mesh, others, &mut tests_left);
@@ -77,7 +92,7 @@ pub fn conform(mesh: &Mesh, up: DVec3) -> Conforming {
     for patch in wrong {
         patches[patch].faces.iter().for_each(|&face| found.turned[face as usize] ^= true);
     }
-    found
+    work::spend(0).then_some(found)
 }
 
 /// Turns the faces that are connected to a face until they agree with it. Returns these faces; an error if they cannot agree.
@@ -89,7 +104,11 @@ fn agree(mesh: &Mesh, first: u32, seen: &mut [bool], turned: &mut [bool]) -> Res
     let mut next = 0;
     while let Some(&face) = faces.get(next) {
         next += 1;
-        for corner in mesh.face(face as usize).corner_range() {
+        let corners = mesh.face(face as usize).corner_range();
+        if !work::spend(CORNER * corners.len()) {
+            break;
+        }
+        for corner in corners {
             let &[one, two] = adjacency.uses(adjacency.edge(corner as u32)) else { continue };
             let other = if one == corner as u32 { two } else { one };
             let (neighbour, along) = (adjacency.face(other), mesh.corners[one as usize] == mesh.corners[two as usize]);
@@ -110,9 +129,13 @@ fn agree(mesh: &Mesh, first: u32, seen: &mut [bool], turned: &mut [bool]) -> Res
 }
 
 impl Patch {
-    fn of(mesh: &Mesh, faces: Vec<u32>, turned: &[bool]) -> Self {
+    /// `None` if the work is to end.
+    fn of(mesh: &Mesh, faces: Vec<u32>, turned: &[bool]) -> Option<Self> {
         let mut net = PairTable::default();
         for &face in &faces {
+            if !work::spend(4 * CORNER * mesh.face(face as usize).corner_count()) {
+                return None;
+            }
             for edge in mesh.face(face as usize).edges() {
                 let [a, b] = edge.each(|corner| mesh.corners[corner]);
                 let (count, _) = net.entry(a.min(b), a.max(b), 0);
@@ -124,7 +147,7 @@ impl Patch {
         let uses = |corner: usize| mesh.adjacency().uses(mesh.adjacency().edge(corner as u32)).len();
         let branches = corners.clone().any(|corner| 2 < uses(corner));
         let bounds = Bounds::of(corners.map(|corner| mesh.points[mesh.corners[corner] as usize]));
-        Patch { faces, is_closed, branches, bounds }
+        Some(Patch { faces, is_closed, branches, bounds })
     }
 
     fn faces<'m>(&self, mesh: &'m Mesh) -> impl Iterator<Item = FaceRef<'m>> + Clone {
@@ -163,7 +186,10 @@ impl Patch {
             if !(other.bounds.low.cmple(self.bounds.low).all() && self.bounds.high.cmple(other.bounds.high).all()) {
                 continue;
             }
-            let Some(left) = tests_left.checked_sub(other.faces.len()) else { return is_inside };
+            let tests = other.faces.len();
+            let Some(left) = tests_left.checked_sub(tests).filter(|_| work::spend(CORNER * tests)) else {
+                return is_inside;
+            };
             *tests_left = left;
             // A ray upwards passes an odd number of faces.
             is_inside ^= other.faces(mesh).filter(|face| is_over(face, at)).count() % 2 == 1;

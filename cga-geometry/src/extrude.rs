@@ -57,12 +57,15 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     if distance == 0.0 && !matches!(along, Extrude::FlatTop(_)) || !(up * distance).is_finite() {
         return mesh.clone();
     }
-    let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
+    let Some(normals) = mesh.face_normals_in_time() else { return Mesh::default() };
     let joints = Joints::of(mesh, &normals, along != Extrude::FaceNormal);
     // The displacement of each point, by body or by point.
     let ways: Vec<DVec3> = match along {
         Extrude::FaceNormal => normals.iter().map(|normal| *normal * distance).collect(),
-        Extrude::VertexNormal => vertex_normals(mesh).into_iter().map(|normal| normal * distance).collect(),
+        Extrude::VertexNormal => match vertex_normals_in_time(mesh) {
+            Some(normals) => normals.into_iter().map(|normal| normal * distance).collect(),
+            None => return Mesh::default(),
+        },
         Extrude::Vector(vector) => vec![vector * distance; mesh.points().len()],
         Extrude::FlatTop(vector) => flat_top(mesh.points(), vector, distance),
     };
@@ -94,14 +97,24 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
 
 /// For each point the average of the normals of the faces around it. Faces with the same normal count once, so that the
 /// result does not depend on how a plane is divided. Zero if the normals cancel.
+///
+/// If the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile, all are zero.
 pub fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
-    let adjacency = mesh.adjacency();
-    let face_normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
+    vertex_normals_in_time(mesh).unwrap_or_else(|| vec![DVec3::ZERO; mesh.points().len()])
+}
+
+/// [`vertex_normals`]. `None` if the work is to end.
+fn vertex_normals_in_time(mesh: &Mesh) -> Option<Vec<DVec3>> {
+    let adjacency = mesh.adjacency_in_time()?;
+    let face_normals = mesh.face_normals_in_time()?;
     let mut average = AverageNormal::default();
     let at_point = |point: usize| {
-        average.clear();
-        adjacency.faces_around(point).for_each(|face| average.add(face_normals[face as usize]));
-        average.unit()
+        let corners = adjacency.at(point).len();
+        work::spend(JOINING * corners).then(|| {
+            average.clear();
+            adjacency.faces_around(point).for_each(|face| average.add(face_normals[face as usize]));
+            average.unit()
+        })
     };
     (0..mesh.points().len()).map(at_point).collect()
 }

@@ -7,6 +7,10 @@ use crate::mesh::{FaceTag, Mesh};
 use crate::overlay::{OverlayError, wound};
 use crate::tol::PLANAR_EPSILON;
 use crate::triangulate::Triangulator;
+use crate::work;
+
+/// The units of work of a corner.
+const CORNER: usize = 16;
 
 /// The union of the projections of all faces to the plane y = 0: faces that look up, with holes where no face covers the
 /// plane. Without faces if no face covers an area.
@@ -49,13 +53,16 @@ pub fn footprint(mesh: &Mesh) -> Result<Mesh, OverlayError> {
     Ok(made)
 }
 
-/// Rings that run anticlockwise around the area of each face, holes clockwise.
+/// Rings that run anticlockwise around the area of each face, holes clockwise. Some are missing if the work is to end.
 fn covering(mesh: &Mesh, flat: &[DVec2]) -> Vec<Vec<u32>> {
     // In a closed mesh as many faces look up as down over each place.
     let both_sides = !mesh.is_closed();
     let (mut rings, mut triangles, mut triangulator) = (Vec::new(), Vec::new(), Triangulator::new());
     let extent = mesh.bounds().size().max_element();
     for face in mesh.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
         let normal = face.normal();
         let from = face.position(face.corner_range().start);
         let is_planar = face.corner_range().len() == 3

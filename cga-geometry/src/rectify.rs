@@ -8,9 +8,13 @@ use super::derive::{CornerValues, Derivation, FaceOrigin};
 use super::disjoint::DisjointSets;
 use super::mesh::{Mesh, unit};
 use super::tol::{COPLANAR_EPSILON, EDGE_EPSILON, UP_EPSILON};
+use super::work;
 
 /// The order in which axes are compared. Of equal ones the first counts.
 const AXES: [usize; 3] = [1, 2, 0];
+
+/// The units of work of a corner in a pass.
+const CORNER: usize = 8;
 
 /// A face that would vanish or turn over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,7 +26,8 @@ pub struct Collapsed {
 /// The mesh with edges parallel to the axes: those that deviate by less than `limit` degrees, as seen along the axis across most of the
 /// faces. Such an edge turns about its middle; edges in one line get the average of their middles, weighted by lengths. Points at the
 /// ends of upright edges move alike. Points move along their faces if these are in one plane, else across the axis of the view.
-/// Holes that vanish are removed. `None` if no point moves, as with a limit that is NaN or not positive.
+/// Holes that vanish are removed. `None` if no point moves, as with a limit that is NaN or not positive, or if the work of a
+/// [`Supervisor`](crate::work::Supervisor) ends meanwhile.
 ///
 /// # Errors
 /// The first face that would vanish or turn over.
@@ -30,7 +35,11 @@ pub fn rectify(mesh: &Mesh, limit: f64) -> Result<Option<Mesh>, Collapsed> {
     let scale = mesh.bounds().scale_to_one();
     let low = mesh.bounds().low * scale;
     let points: Vec<DVec3> = mesh.points.iter().map(|&point| point * scale - low).collect();
-    let areas: DVec3 = mesh.faces().map(|face| face.normal().abs() * (face.area() * scale * scale)).sum();
+    let Some(normals) = mesh.face_normals_in_time() else { return Ok(None) };
+    let areas: DVec3 = mesh.faces().map(|face| normals[face.index()].abs() * (face.area() * scale * scale)).sum();
+    if mesh.adjacency_in_time().is_none() {
+        return Ok(None);
+    }
     let up = AXES.into_iter().rev().max_by(|&a, &b| areas[a].total_cmp(&areas[b])).unwrap_or(1);
     let along = [(up + 1) % 3, (up + 2) % 3];
     let mut moved = points.clone();
@@ -40,8 +49,10 @@ pub fn rectify(mesh: &Mesh, limit: f64) -> Result<Option<Mesh>, Collapsed> {
     if moved == points {
         return Ok(None);
     }
-    let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
     for point in 0..points.len() {
+        if !work::spend(CORNER) {
+            return Ok(None);
+        }
         let mut faces = mesh.adjacency().faces_around(point).map(|face| normals[face as usize]);
         let Some(plane) = faces.next() else { continue };
         let is_flat = faces.all(|other| (other - plane).length() <= COPLANAR_EPSILON);
@@ -49,12 +60,23 @@ pub fn rectify(mesh: &Mesh, limit: f64) -> Result<Option<Mesh>, Collapsed> {
             moved[point][up] -= (moved[point] - points[point]).dot(plane) / plane[up];
         }
     }
+    // The work may have ended before all points moved.
+    if !work::spend(CORNER * mesh.corners.len()) {
+        return Ok(None);
+    }
     let rectified = Mesh { points: moved, ..mesh.with_points(points) };
-    if let Some(face) = lost_crossing(mesh, &rectified, &normals) {
+    let lost = lost_crossing(mesh, &rectified, &normals);
+    if !work::spend(0) {
+        return Ok(None);
+    }
+    if let Some(face) = lost {
         return Err(Collapsed { face });
     }
     let rectified = without_lost_holes(mesh, rectified, &normals, up)?;
-    let cleaned = cleanup(&rectified, Parts::default(), 0.0).unwrap_or_else(|| rectified.clone());
+    let cleaned = cleanup(&rectified, Parts::default(), 0.0).unwrap_or(rectified);
+    if !work::spend(0) {
+        return Ok(None);
+    }
     if cleaned.is_empty() {
         return Err(Collapsed { face: 0 });
     }
@@ -68,6 +90,9 @@ fn align(mesh: &Mesh, points: &[DVec3], moved: &mut [DVec3], axis: usize, across
     let mut lines = DisjointSets::new(points.len());
     let mut aligned = Vec::new();
     for edge in 0..adjacency.edge_count() {
+        if !work::spend(CORNER) {
+            return;
+        }
         let from = adjacency.uses(edge)[0];
         let [a, b] = [from, adjacency.next(from)].each(|corner| mesh.corners[corner as usize]);
         let step = points[b as usize] - points[a as usize];
@@ -94,7 +119,8 @@ fn align(mesh: &Mesh, points: &[DVec3], moved: &mut [DVec3], axis: usize, across
     }
 }
 
-/// The first face that crosses itself, so that its parts cancel and it has no direction, and whose corners are on a line now.
+/// The first face that crosses itself, so that its parts cancel and it has no direction, and whose corners are on a line now. Any
+/// face if the work is to end.
 fn lost_crossing(before: &Mesh, moved: &Mesh, normals: &[DVec3]) -> Option<usize> {
     let is_flat = |points: &[DVec3], corners: &[u32]| {
         let at = |corner: &u32| points[*corner as usize];
@@ -112,12 +138,15 @@ fn lost_crossing(before: &Mesh, moved: &Mesh, normals: &[DVec3]) -> Option<usize
     let places: Vec<DVec3> = before.points.iter().map(|&point| point * scale).collect();
     let is_lost = |face: &usize| {
         let corners = &before.corners[before.face_corners(*face)];
+        if !work::spend(corners.len()) {
+            return true;
+        }
         normals[*face] == DVec3::ZERO && !is_flat(&places, corners) && is_flat(&moved.points, corners)
     };
     (0..before.face_count()).find(is_lost)
 }
 
-/// The mesh without holes that have vanished or turned over.
+/// The mesh without holes that have vanished or turned over; empty if the work is to end.
 fn without_lost_holes(before: &Mesh, moved: Mesh, normals: &[DVec3], up: usize) -> Result<Mesh, Collapsed> {
     let area = |mesh: &Mesh, ring: std::ops::Range<usize>| -> f64 {
         let at = |corner: usize| mesh.points[mesh.corners[corner] as usize];
@@ -133,6 +162,9 @@ fn without_lost_holes(before: &Mesh, moved: Mesh, normals: &[DVec3], up: usize) 
     let moved = Mesh { trace: before.trace.clone(), ..moved };
     let mut made = Derivation::new(&moved, CornerValues::All, moved.corners.len()).with_old_points();
     for face in before.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            return Ok(Mesh::default());
+        }
         // Upright faces have no area as seen from above.
         let is_upright = normals[face.index()][up].abs() <= UP_EPSILON;
         let mut kept = Vec::with_capacity(1);

@@ -3,26 +3,41 @@
 use glam::DVec3;
 
 use crate::average_normal::AverageNormal;
+use crate::buckets::Buckets;
 use crate::disjoint::DisjointSets;
 use crate::mesh::Mesh;
 use crate::tol::ANGLE_EPSILON;
+use crate::work;
 
 /// Edges with more faces are hard. Every pair of faces at an edge is compared.
 const MOST_FACES: usize = 16;
+
+/// The units of work of a corner in a pass.
+const CORNER: usize = 8;
 
 impl Mesh {
     /// The mesh with smooth normals: at an edge whose faces meet at an angle below `limit` in degrees, the corners of both faces
     /// at each end have one normal. It is the average of the normals of all faces that such edges connect at the point; faces
     /// in one plane count once. Other edges are hard. Without smooth edges the mesh has no normals at corners, so that the
     /// normals of faces count. A limit that is NaN or not positive gives no smooth edge.
+    ///
+    /// If the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile, the mesh is empty.
     pub fn softened(&self, limit: f64) -> Mesh {
-        let adjacency = self.adjacency();
-        let normals: Vec<DVec3> = self.faces().map(|face| face.normal()).collect();
+        self.softened_in_time(limit).unwrap_or_default()
+    }
+
+    /// [`softened`](Self::softened). `None` if the work is to end.
+    fn softened_in_time(&self, limit: f64) -> Option<Mesh> {
+        let adjacency = self.adjacency_in_time()?;
+        let normals = self.face_normals_in_time()?;
         let normal = |corner: u32| normals[adjacency.face(corner) as usize];
         let mut groups = DisjointSets::new(self.corners.len());
         let mut is_soft = false;
         for edge in 0..adjacency.edge_count() {
             let uses = Some(adjacency.uses(edge)).filter(|uses| uses.len() <= MOST_FACES).unwrap_or_default();
+            if !work::spend(2 * CORNER * uses.len()) {
+                return None;
+            }
             for (k, &one) in uses.iter().enumerate() {
                 for &other in &uses[k + 1..] {
                     if !is_below(normal(one), normal(other), limit) {
@@ -41,7 +56,14 @@ impl Mesh {
         if is_soft {
             mesh.normals = (0..self.corners.len() as u32).map(normal).collect();
             let mut average = AverageNormal::default();
-            for group in groups.sets().iter().filter(|group| 1 < group.len()) {
+            groups.flatten();
+            let sets =
+                Buckets::by(self.corners.len(), (0..self.corners.len() as u32).map(|corner| groups.find(corner)));
+            // Each set is at the place of its first corner.
+            for group in (0..self.corners.len()).map(|first| sets.of(first)).filter(|group| 1 < group.len()) {
+                if !work::spend(CORNER * group.len()) {
+                    return None;
+                }
                 average.clear();
                 group.iter().for_each(|&corner| average.add(normal(corner)));
                 let found = average.unit();
@@ -50,7 +72,7 @@ impl Mesh {
                 }
             }
         }
-        mesh
+        Some(mesh)
     }
 }
 

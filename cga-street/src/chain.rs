@@ -3,14 +3,20 @@
 use cga_geometry::each::Each;
 use glam::{DVec2, DVec3};
 
+use super::StreetError;
 use super::graph::Graph;
 use super::input::{Centerline, NetworkOptions};
+use super::progress::{EDGE, spend};
 
 /// Bends sharper than this angle in degrees get no mitre.
 const MOST_MITRE: f64 = 100.0;
 
 /// The room that an arc leaves on the inner side of a bend, in metres.
 const ARC_ROOM: f64 = 2.0;
+
+/// The most chains that meet at one point. Borders of many streets at one point cross each other: their number grows with the
+/// square, and the areas that they cover together with the cube.
+const MOST_ARMS: usize = 256;
 
 /// The largest angle between two parts of an arc, in degrees.
 const ARC_STEP: f64 = 10.0;
@@ -121,11 +127,20 @@ impl Walker<'_> {
     }
 }
 
-/// The chains of a graph with arcs at bends, and the nodes where they meet.
-pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptions) -> (Vec<Polyline>, Vec<ChainNode>) {
+/// The chains of a graph with arcs at bends, and the nodes where they meet. An error if too many meet at one node.
+pub(super) fn chains(
+    graph: &Graph,
+    lines: &[Centerline],
+    options: &NetworkOptions,
+) -> Result<(Vec<Polyline>, Vec<ChainNode>), StreetError> {
+    if let Some(vertex) = graph.around.iter().position(|around| MOST_ARMS < around.len()) {
+        let place = graph.points[vertex];
+        return Err(StreetError::TooManyArms { point: [place.x, 0.0 - place.y], most: MOST_ARMS });
+    }
     let mut walker = Walker { graph, lines, seen: vec![false; graph.edges.len()] };
     let mut raw = Vec::new();
     for (vertex, around) in graph.around.iter().enumerate() {
+        spend(EDGE * around.len())?;
         for &edge in around {
             if !walker.seen[edge as usize] && walker.follow(edge, vertex as u32).is_none() {
                 raw.push(walker.walk(vertex as u32, edge));
@@ -141,6 +156,7 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
     let mut nodes: Vec<ChainNode> = graph.points.iter().map(node).collect();
     let mut done: Vec<Polyline> = Vec::new();
     for mut chain in raw {
+        spend(4 * EDGE * chain.len())?;
         chain.round_bends(options.arc_above.to_radians());
         done.extend(chain.broken(&mut nodes));
     }
@@ -157,7 +173,7 @@ pub(super) fn chains(graph: &Graph, lines: &[Centerline], options: &NetworkOptio
             }
         }
     }
-    (done, nodes)
+    Ok((done, nodes))
 }
 
 /// The angle between two directions, positive to the left.

@@ -3,6 +3,7 @@
 use super::StreetError;
 use super::grid::{Point, is_sliver};
 use super::pieces::{JunctionDraft, Plot, StreetPieces};
+use super::progress::{EDGE, spend};
 use super::subdivision::{Subdivision, check_edges};
 use cga_geometry::small_sort::SmallSort;
 
@@ -19,7 +20,7 @@ pub(super) fn resolve(plan: &mut JunctionDraft, attempts: usize) -> Result<Stree
     // A roadway and two sidewalks, with four edges each.
     check_edges(plan.chains.iter().map(|chain| 12 * chain.len()).sum())?;
     for _ in 0..attempts {
-        let pieces = plan.pieces();
+        let pieces = plan.pieces()?;
         let roads: Vec<usize> =
             (0..pieces.list.len()).filter(|&at| !matches!(pieces.list[at], Plot::Walk { .. })).collect();
         let rings: Vec<Vec<Point>> = roads.iter().map(|&at| pieces.list[at].ring()).collect();
@@ -27,9 +28,11 @@ pub(super) fn resolve(plan: &mut JunctionDraft, attempts: usize) -> Result<Stree
         let mut changed = false;
         for (face, covers) in faces.covers.iter().enumerate().filter(|(_, covers)| 1 < covers.len()) {
             let ring = faces.ring(face);
+            spend(EDGE * (ring.len() + covers.len()))?;
             if is_sliver(&ring) {
                 continue;
             }
+            spend(EDGE * ring.len() * covers.len())?;
             let cover = || covers.iter().map(|&road| &pieces.list[roads[road as usize]]);
             let laid_out =
                 || cover().filter_map(|piece| if let Plot::Junction { node, .. } = piece { *node } else { None });
@@ -54,7 +57,7 @@ pub(super) fn resolve(plan: &mut JunctionDraft, attempts: usize) -> Result<Stree
         }
         plan.cuts.iter_mut().for_each(merge);
     }
-    Ok(plan.pieces())
+    plan.pieces()
 }
 
 /// The distances along a chain that a ring in one of its segments covers.

@@ -44,6 +44,15 @@ pub enum StreetError {
         /// The most crossings.
         most: usize,
     },
+    /// Too many streets meet at one point.
+    TooManyArms {
+        /// The point as (x, z) in metres.
+        point: [f64; 2],
+        /// The most streets.
+        most: usize,
+    },
+    /// The watch ended the layout.
+    Stopped,
 }
 
 impl fmt::Display for StreetError {
@@ -68,6 +77,10 @@ impl fmt::Display for StreetError {
             StreetError::TooDense { most } => {
                 write!(f, "too many streets cross or lie over each other: at most {most} crossings; divide the network")
             }
+            StreetError::TooManyArms { point: [x, z], most } => {
+                write!(f, "more than {most} streets meet at ({x}, {z}); remove lines there")
+            }
+            StreetError::Stopped => write!(f, "the watch ended the layout of the streets; give it more time"),
         }
     }
 }

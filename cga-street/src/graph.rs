@@ -8,6 +8,7 @@ use glam::{DVec2, DVec3};
 
 use super::grid::{GridMap, Point};
 use super::input::{Centerline, NetworkOptions};
+use super::progress::{EDGE, spend};
 use super::rounding::divide;
 use super::segment_tree::SegmentTree;
 use super::{MOST_CROSSINGS, StreetError};
@@ -40,13 +41,18 @@ struct LineSegment {
 impl Graph {
     /// The graph of checked lines.
     pub(super) fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
-        let mut paths: Vec<Vec<LinePoint>> = lines.iter().map(path).collect();
+        let mut paths: Vec<Vec<LinePoint>> = Vec::with_capacity(lines.len());
+        for line in lines {
+            spend(EDGE * line.points.len())?;
+            paths.push(path(line));
+        }
         if 0.0 < options.snap {
-            join_ends(&mut paths, options.snap);
-            reach_segments(&mut paths, options.snap);
+            join_ends(&mut paths, options.snap)?;
+            reach_segments(&mut paths, options.snap)?;
         }
         let (mut segments, mut known) = (Vec::new(), BTreeSet::new());
         for (line, path) in paths.iter().enumerate() {
+            spend(EDGE * path.len())?;
             let ends = path.windows(2).map(|ends| LineSegment { ends: [ends[0], ends[1]], line: line as u32 });
             // Each segment once, for the first of its lines.
             segments.extend(ends.filter(|segment| {
@@ -57,7 +63,7 @@ impl Graph {
         let mut graph = Graph::divided(&segments)?;
         if 0.0 < options.snap {
             // Moved ends may make edges meet in new places.
-            graph = Graph::divided(&graph.contracted(options.snap))?;
+            graph = Graph::divided(&graph.contracted(options.snap)?)?;
         }
         Ok(graph)
     }
@@ -65,12 +71,13 @@ impl Graph {
     /// The graph of segments, which may meet anywhere.
     fn divided(segments: &[LineSegment]) -> Result<Self, StreetError> {
         let plain: Vec<[Point; 2]> = segments.iter().map(|segment| segment.ends.each(|end| end.0)).collect();
-        let chains = divide(&plain, MOST_CROSSINGS).ok_or(StreetError::TooDense { most: MOST_CROSSINGS })?;
+        let chains = divide(&plain, MOST_CROSSINGS)?;
         let mut graph = Graph::default();
         let mut numbers: GridMap<Point, u32> = GridMap::default();
         let mut known: BTreeSet<[u32; 2]> = BTreeSet::new();
         // Ends of segments keep their heights; a crossing gets the height of the first line.
         for segment in segments {
+            spend(2 * EDGE)?;
             for (point, height) in segment.ends {
                 graph.vertex(&mut numbers, point, height);
             }
@@ -79,6 +86,7 @@ impl Graph {
             let [(a, low), (b, high)] = segment.ends;
             let length = a.place().distance(b.place());
             let mut before = None;
+            spend(2 * EDGE * chain.len())?;
             for &point in chain {
                 let height = low + (high - low) * (a.place().distance(point.place()) / length);
                 let here = graph.vertex(&mut numbers, point, height);
@@ -105,7 +113,7 @@ impl Graph {
     }
 
     /// The edges with short ones contracted. No vertex moves farther than `snap`.
-    fn contracted(&self, snap: f64) -> Vec<LineSegment> {
+    fn contracted(&self, snap: f64) -> Result<Vec<LineSegment>, StreetError> {
         let mut to: Vec<u32> = (0..self.points.len() as u32).collect();
         let find = |to: &[u32], mut at: u32| {
             while to[at as usize] != at {
@@ -121,6 +129,7 @@ impl Graph {
         let mut short: Vec<&StreetEdge> = self.edges.iter().filter(|edge| length(edge) < snap).collect();
         short.small_sort_by(|a, b| length(a).total_cmp(&length(b)));
         for edge in short {
+            spend(EDGE)?;
             let [a, b] = edge.ends.each(|end| find(&to, end));
             if a != b && distance([a, b]) < snap {
                 // Junctions and ends stay in place; bends move.
@@ -138,7 +147,7 @@ impl Graph {
             (Point::near(self.points[at].truncate()), self.points[at].z)
         };
         let moved = self.edges.iter().map(|edge| LineSegment { ends: edge.ends.each(end), line: edge.line });
-        moved.filter(|segment| segment.ends[0].0 != segment.ends[1].0).collect()
+        Ok(moved.filter(|segment| segment.ends[0].0 != segment.ends[1].0).collect())
     }
 }
 
@@ -154,7 +163,7 @@ fn path(line: &Centerline) -> Vec<LinePoint> {
 }
 
 /// Moves an end that is near an earlier end onto it.
-fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
+fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) -> Result<(), StreetError> {
     let cell = |place: DVec2| ((place.x / snap).floor() as i64, (place.y / snap).floor() as i64);
     let mut kept: GridMap<(i64, i64), Vec<LinePoint>> = GridMap::default();
     for path in paths.iter_mut() {
@@ -163,6 +172,7 @@ fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
             continue;
         }
         for at in [0, last] {
+            spend(8 * EDGE)?;
             let place = path[at].0.place();
             let (x, y) = cell(place);
             let near = (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (x + dx, y + dy)));
@@ -176,13 +186,15 @@ fn join_ends(paths: &mut [Vec<LinePoint>], snap: f64) {
             }
         }
     }
+    Ok(())
 }
 
 /// Moves ends that are not shared onto the nearest segment of another line, if one is near.
-fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
+fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) -> Result<(), StreetError> {
     let mut ends: GridMap<Point, u32> = GridMap::default();
     let (mut segments, mut homes) = (Vec::new(), Vec::new());
     for (line, path) in paths.iter().enumerate() {
+        spend(EDGE * path.len())?;
         for vertex in path.first().into_iter().chain(path.last()) {
             *ends.entry(vertex.0).or_default() += 1;
         }
@@ -206,7 +218,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
             }
             let place = end.place();
             let mut best: Option<(f64, u32)> = None;
-            tree.near([end, end], margin, |number| {
+            let near = tree.near([end, end], margin, |number| {
                 let (other, _) = homes[number as usize];
                 let distance = nearest_on(segments[number as usize], place).distance(place);
                 let better = best.is_none_or(|(least, first)| (distance, number) < (least, first));
@@ -214,6 +226,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
                     best = Some((distance, number));
                 }
             });
+            spend(EDGE + near)?;
             let Some((_, number)) = best else { continue };
             let (segment, home) = (segments[number as usize], homes[number as usize]);
             let foot = nearest_on(segment, place);
@@ -243,6 +256,7 @@ fn reach_segments(paths: &mut [Vec<LinePoint>], snap: f64) {
     for path in paths {
         path.dedup_by_key(|vertex| vertex.0);
     }
+    Ok(())
 }
 
 fn nearest_on(segment: [Point; 2], place: DVec2) -> DVec2 {

@@ -80,12 +80,14 @@ pub(super) fn sides(ring: &[Point]) -> impl Iterator<Item = [Point; 2]> {
 
 /// The winding number of a ring around a point, counter-clockwise. A point on the ring counts as on one of its sides.
 pub(super) fn winding(ring: &[Point], point: Point) -> i32 {
-    let turn = |[a, b]: [Point; 2]| {
-        let rises = a.y <= point.y && point.y < b.y && 0 < orient(a, b, point);
-        let falls = b.y <= point.y && point.y < a.y && orient(a, b, point) < 0;
-        i32::from(rises) - i32::from(falls)
-    };
-    sides(ring).map(turn).sum()
+    sides(ring).map(|side| winding_part(side, point)).sum()
+}
+
+/// The part of a side in the winding number around a point: not 0 only if the side passes the line to the right of the point.
+pub(super) fn winding_part([a, b]: [Point; 2], point: Point) -> i32 {
+    let rises = a.y <= point.y && point.y < b.y && 0 < orient(a, b, point);
+    let falls = b.y <= point.y && point.y < a.y && orient(a, b, point) < 0;
+    i32::from(rises) - i32::from(falls)
 }
 
 /// A map by points or cells. Its time is bounded for all points, and its order is the order of the keys.

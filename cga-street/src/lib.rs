@@ -43,8 +43,10 @@ mod grid;
 mod input;
 mod junction;
 mod mesh;
+mod outline;
 mod parts;
 mod pieces;
+mod progress;
 mod rounding;
 mod section;
 mod segment_tree;
@@ -60,6 +62,8 @@ use std::collections::BTreeMap;
 use cga_geometry::each::Each;
 use cga_geometry::mesh::Mesh;
 use cga_geometry::small_sort::SmallSort;
+use cga_geometry::work::Supervisor;
+use cga_runtime::run::watch::Watch;
 use cga_runtime::shape::Shape;
 
 /// The limit on crossings of street borders, which bounds memory and time.
@@ -151,9 +155,41 @@ impl Network {
     /// kept.
     ///
     /// # Errors
-    /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, if the lines cross
-    /// millions of times, or if their borders have more than ten million edges.
+    /// [`StreetError`] if a coordinate, a width or a setting is NaN, infinite or out of range, if more than 256 streets meet at one
+    /// point, if the lines cross millions of times, if very many lie over each other, or if their borders have more than ten
+    /// million edges.
     pub fn new(lines: &[Centerline], options: &NetworkOptions) -> Result<Self, StreetError> {
+        // The watch of a run around this call does not end it.
+        let _supervisor = Supervisor::new(|_| true);
+        Network::within(lines, options, conflict::MOST_ATTEMPTS)
+    }
+
+    /// The same as [`Network::new`], until the watch is stopped or its time is over.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use cga_runtime::run::watch::Watch;
+    /// use cga_street::{Centerline, Network, NetworkOptions, StreetError};
+    ///
+    /// let lines = [Centerline::new(&[[0.0, 0.0], [50.0, 0.0]])];
+    /// let network = Network::with_watch(&lines, &NetworkOptions::default(), &Watch::deadline(Duration::from_secs(5)))?;
+    /// assert_eq!(network.parts().len(), 3);
+    ///
+    /// let stopped = Watch::new();
+    /// stopped.stop();
+    /// assert_eq!(Network::with_watch(&lines, &NetworkOptions::default(), &stopped), Err(StreetError::Stopped));
+    /// # Ok::<(), StreetError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The errors of [`Network::new`], and [`StreetError::Stopped`] if the watch ends the layout.
+    pub fn with_watch(lines: &[Centerline], options: &NetworkOptions, watch: &Watch) -> Result<Self, StreetError> {
+        let watch = watch.clone();
+        if watch.is_stopped() {
+            return Err(StreetError::Stopped);
+        }
+        let _supervisor = Supervisor::new(move |_| !watch.is_stopped());
         Network::within(lines, options, conflict::MOST_ATTEMPTS)
     }
 
@@ -161,7 +197,7 @@ impl Network {
     fn within(lines: &[Centerline], options: &NetworkOptions, attempts: usize) -> Result<Self, StreetError> {
         input::check(lines, options)?;
         let graph = graph::Graph::new(lines, options)?;
-        let (chains, nodes) = chain::chains(&graph, lines, options);
+        let (chains, nodes) = chain::chains(&graph, lines, options)?;
         let mut plan = pieces::JunctionDraft::new(chains, nodes, options.corner_radius);
         let pieces = conflict::resolve(&mut plan, attempts)?;
         Ok(Network { parts: parts::parts(&plan, &pieces)? })

@@ -2,9 +2,11 @@
 
 use glam::{DVec2, DVec3};
 
-use super::grid::{GridMap, Point, is_sliver, twice_area, winding};
+use super::grid::{GridMap, Point, is_sliver};
 use super::mesh::{StreetFace, mesh};
+use super::outline::faces_of;
 use super::pieces::{Chart, JunctionDraft, Plot, StreetPieces};
+use super::progress::{EDGE, spend};
 use super::subdivision::{NONE, Subdivision};
 use super::{Kind, NetworkPart, Side, StreetError};
 use cga_geometry::disjoint::DisjointSets;
@@ -18,7 +20,7 @@ const STRAIGHT_ON: f64 = 30.0;
 pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<NetworkPart>, StreetError> {
     let rings: Vec<Vec<Point>> = pieces.list.iter().map(Plot::ring).collect();
     let faces = Subdivision::new(&rings)?;
-    let owners = owners(pieces, &faces);
+    let owners = owners(pieces, &faces)?;
     let mut loops: Vec<Vec<Vec<Point>>> = vec![Vec::new(); pieces.list.len()];
     for (owner, ring) in faces.outlines(&owners) {
         loops[owner as usize].push(ring);
@@ -32,6 +34,7 @@ pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<N
                 (2, Plot::Road { cell, free: false, .. }) => (cell, std::slice::from_ref(&rings[at])),
                 _ => continue,
             };
+            spend(EDGE * rings.iter().map(Vec::len).sum::<usize>())?;
             for &point in rings.iter().flatten() {
                 heights.entry(point).or_insert_with(|| cell.value(point).z);
             }
@@ -45,20 +48,20 @@ pub(super) fn parts(plan: &JunctionDraft, pieces: &StreetPieces) -> Result<Vec<N
         }
     }
     for (run, list) in pieces.runs.iter().zip(&by_run) {
-        parts.extend(street(run, list, pieces, &loops, &heights));
+        parts.extend(street(run, list, pieces, &loops, &heights)?);
     }
     let arms = arms(&owners, plan, pieces, &faces);
     for (owner, loops) in loops.iter().enumerate() {
         if !loops.is_empty() && is_junction(&pieces.list[owner]) {
             let arms = arms.get(&(owner as u32)).map(Vec::as_slice).unwrap_or_default();
-            parts.extend(junction(loops, arms, &heights));
+            parts.extend(junction(loops, arms, &heights)?);
         }
     }
     Ok(parts)
 }
 
 /// The owner of each cycle: the number of a piece. The first piece of a junction owns all its pieces.
-fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
+fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Result<Vec<u32>, StreetError> {
     let is_free = |&&at: &&u32| matches!(pieces.list[at as usize], Plot::Road { free: true, .. });
     let is_walk = |at: u32| matches!(pieces.list[at as usize], Plot::Walk { .. });
     let owner = |covers: &Vec<u32>| {
@@ -67,7 +70,7 @@ fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
         free.or_else(junction).or(covers.first()).copied().unwrap_or(NONE)
     };
     let mut of_cycle: Vec<u32> = faces.covers.iter().map(owner).collect();
-    give_slivers_away(&mut of_cycle, faces);
+    give_slivers_away(&mut of_cycle, faces)?;
     // Pieces that overlap or touch form one junction.
     let is_part = |at: u32| at != NONE && is_junction(&pieces.list[at as usize]);
     let mut junctions = DisjointSets::new(pieces.list.len());
@@ -84,7 +87,7 @@ fn owners(pieces: &StreetPieces, faces: &Subdivision) -> Vec<u32> {
     for owner in of_cycle.iter_mut().filter(|owner| is_part(**owner)) {
         *owner = junctions.find(*owner);
     }
-    of_cycle
+    Ok(of_cycle)
 }
 
 /// Returns true for a piece that belongs to a junction.
@@ -121,8 +124,13 @@ fn arms(owners: &[u32], plan: &JunctionDraft, pieces: &StreetPieces, faces: &Sub
 }
 
 /// Gives faces that are due to rounding to the owner at their longest edge.
-fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
-    let is_sliver: Vec<bool> = (0..of_cycle.len()).map(|cycle| is_sliver(&faces.ring(cycle))).collect();
+fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) -> Result<(), StreetError> {
+    let is_sliver = |cycle: usize| {
+        let ring = faces.ring(cycle);
+        spend(EDGE * ring.len())?;
+        Ok(is_sliver(&ring))
+    };
+    let is_sliver: Vec<bool> = (0..of_cycle.len()).map(is_sliver).collect::<Result<_, StreetError>>()?;
     let mut longest: GridMap<u32, (f64, u32)> = GridMap::default();
     for (half, &cycle) in faces.cycle.iter().enumerate() {
         let other = faces.cycle[half ^ 1];
@@ -138,22 +146,7 @@ fn give_slivers_away(of_cycle: &mut [u32], faces: &Subdivision) {
     for (cycle, (_, other)) in longest {
         of_cycle[cycle as usize] = of_cycle[other as usize];
     }
-}
-
-/// The loops of an owner as faces: outlines with their holes.
-fn faces_of(loops: &[Vec<Point>]) -> Vec<Vec<Vec<Point>>> {
-    let (outer, holes): (Vec<&Vec<Point>>, Vec<&Vec<Point>>) = loops.iter().partition(|ring| 0 < twice_area(ring));
-    let mut faces: Vec<Vec<Vec<Point>>> = outer.into_iter().map(|ring| vec![ring.clone()]).collect();
-    for hole in holes.into_iter().filter(|ring| twice_area(ring) != 0) {
-        let around = |face: &&mut Vec<Vec<Point>>| {
-            hole.iter().any(|&point| !face[0].contains(&point) && winding(&face[0], point) != 0)
-        };
-        let home = faces.iter_mut().filter(around).min_by_key(|face| twice_area(&face[0]));
-        if let Some(face) = home {
-            face.push(hole.clone());
-        }
-    }
-    faces
+    Ok(())
 }
 
 /// A street or a sidewalk.
@@ -163,7 +156,7 @@ fn street(
     pieces: &StreetPieces,
     loops: &[Vec<Vec<Point>>],
     heights: &GridMap<Point, f64>,
-) -> Option<NetworkPart> {
+) -> Result<Option<NetworkPart>, StreetError> {
     let forward = run.line.is_none_or(|(_, forward)| forward);
     let length = run.along[1] - run.along[0];
     let is_road = run.kind == Kind::Street;
@@ -180,7 +173,7 @@ fn street(
         // A quad begins with the edge on the right, along the street, or at the kerb.
         let first = if is_road && !forward { cell.corners.len() / 2 } else { 0 };
         let first = cell.corners[first].point;
-        for mut rings in faces_of(&loops[at]) {
+        for mut rings in faces_of(&loops[at])? {
             if let Some(start) = rings[0].iter().position(|&point| point == first) {
                 rings[0].rotate_left(start);
             }
@@ -193,8 +186,8 @@ fn street(
         Side::Right if !forward => Side::Left,
         side => side,
     });
-    let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 })?;
-    Some(NetworkPart {
+    let mesh = mesh(&faces, heights, if run.line.is_some() { 3 } else { 1 });
+    Ok(mesh.map(|mesh| NetworkPart {
         kind: run.kind,
         side,
         line: run.line.map(|(line, _)| line as usize),
@@ -202,11 +195,15 @@ fn street(
         width: run.width,
         arms: 0,
         mesh,
-    })
+    }))
 }
 
 /// A junction, with coordinates from 0 to 1 along and across its first arm.
-fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>) -> Option<NetworkPart> {
+fn junction(
+    loops: &[Vec<Point>],
+    arms: &[DVec2],
+    heights: &GridMap<Point, f64>,
+) -> Result<Option<NetworkPart>, StreetError> {
     let along = arms.first().copied().unwrap_or(DVec2::X);
     let flat = |point: Point| {
         let place = point.place();
@@ -219,7 +216,7 @@ fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>)
         let uvs = rings.iter().flatten().map(|&point| [(flat(point) - low) / size; 3]).collect();
         StreetFace { rings, uvs }
     };
-    let faces: Vec<StreetFace> = faces_of(loops).into_iter().map(face).collect();
+    let faces: Vec<StreetFace> = faces_of(loops)?.into_iter().map(face).collect();
     let least = -libm::cos(STRAIGHT_ON.to_radians());
     let straight = (0..arms.len()).any(|a| arms[a + 1..].iter().any(|b| arms[a].dot(*b) < least));
     let kind = match arms.len() {
@@ -227,6 +224,7 @@ fn junction(loops: &[Vec<Point>], arms: &[DVec2], heights: &GridMap<Point, f64>)
         3 if straight => Kind::Junction,
         _ => Kind::Crossing,
     };
-    let mesh = mesh(&faces, heights, 1)?;
-    Some(NetworkPart { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh })
+    let part =
+        |mesh| NetworkPart { kind, side: None, line: None, length: size.x, width: size.y, arms: arms.len(), mesh };
+    Ok(mesh(&faces, heights, 1).map(part))
 }

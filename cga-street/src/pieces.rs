@@ -4,8 +4,9 @@ use super::cell::{Tile, TileCorner};
 use super::chain::{ChainNode, Polyline};
 use super::grid::Point;
 use super::junction::{self, JunctionLayout};
+use super::progress::{EDGE, spend};
 use super::section::{CrossSection, Station};
-use super::{Kind, Side};
+use super::{Kind, Side, StreetError};
 use cga_geometry::each::Each;
 use cga_geometry::small_sort::SmallSort;
 
@@ -63,6 +64,9 @@ pub(super) struct JunctionDraft {
     radius: f64,
 }
 
+/// The units of work of a segment of an arm in the layout of a junction.
+const ARM: usize = 128;
+
 /// The level of a node whose arms overlap.
 const OVERLAID: u8 = 2;
 
@@ -88,8 +92,8 @@ impl JunctionDraft {
         had
     }
 
-    /// The pieces of the current plan. Junctions that do not fit are reduced until they do.
-    pub(super) fn pieces(&mut self) -> StreetPieces {
+    /// The pieces of the current plan. Junctions that do not fit are reduced until they do. An error if the layout is to end.
+    pub(super) fn pieces(&mut self) -> Result<StreetPieces, StreetError> {
         let mut layouts: Vec<Option<JunctionLayout>> = (0..self.nodes.len()).map(|_| None).collect();
         let mut waiting: Vec<usize> = (0..self.nodes.len()).collect();
         let mut ends: Vec<[Station; 2]> = Vec::new();
@@ -97,6 +101,8 @@ impl JunctionDraft {
             for node in waiting.drain(..) {
                 layouts[node] = None;
                 while self.levels[node] < OVERLAID && 1 < self.nodes[node].arms.len() {
+                    let arms = self.nodes[node].arms.iter();
+                    spend(ARM * arms.map(|&(chain, _)| 1 + self.chains[chain as usize].len()).sum::<usize>())?;
                     let radius = if self.levels[node] == 0 { self.radius } else { 0.0 };
                     layouts[node] = junction::layout(&self.nodes[node], &self.chains, radius);
                     if layouts[node].is_some() {
@@ -109,6 +115,7 @@ impl JunctionDraft {
             for &(chain, end, station) in layouts.iter().flatten().flat_map(|layout| &layout.stations) {
                 ends[chain as usize][end] = station;
             }
+            spend(EDGE * self.chains.len())?;
             for (chain, stations) in self.chains.iter().zip(&ends) {
                 if chain.along(stations[1]) < chain.along(stations[0]) {
                     for node in chain.ends.into_iter().flatten().map(|node| node as usize) {
@@ -124,6 +131,7 @@ impl JunctionDraft {
         }
         let mut pieces = StreetPieces::default();
         for (number, ends) in ends.iter().enumerate() {
+            spend(8 * EDGE * (self.chains[number].len() + self.cuts[number].len()))?;
             self.add_chain(number, *ends, &mut pieces);
         }
         for (number, layout) in layouts.into_iter().enumerate() {
@@ -138,7 +146,7 @@ impl JunctionDraft {
                 pieces.runs.push(Chart { kind: Kind::Sidewalk, side: None, line: None, along, width });
             }
         }
-        pieces
+        Ok(pieces)
     }
 
     /// The parts of a chain that belong to junctions, between stations, sorted and disjoint.
@@ -202,8 +210,9 @@ impl JunctionDraft {
                 (Station::Within(segment, _), _) | (_, Station::Within(segment, _)) => segment,
                 (Station::Vertex(at), Station::Vertex(_)) => at,
             };
-            let inside = |part: &[Station; 2]| chain.along(part[0]) < middle && middle < chain.along(part[1]);
-            let free = !swallowed.iter().any(inside);
+            // The parts are sorted and disjoint, so it can only be in the last one that begins before it.
+            let begun = swallowed.partition_point(|part| chain.along(part[0]) < middle);
+            let free = begun.checked_sub(1).is_none_or(|last| chain.along(swallowed[last][1]) <= middle);
             let home = (free, chain.lines[segment]);
             if before.replace(home) != Some(home) {
                 for (run, kind, side, width) in [

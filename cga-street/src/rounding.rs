@@ -3,26 +3,28 @@
 //! Ends and rounded crossings are *hot*. A segment that passes the unit square around a hot point is routed through
 //! that point. So no two segments cross afterwards, and all segments that meet at a point share it.
 
+use super::StreetError;
 use super::grid::{Point, are_apart, dot, orient};
+use super::progress::{EDGE, sort_and_dedup, spend};
 use super::segment_tree::SegmentTree;
 use cga_geometry::small_sort::SmallSort;
 
-/// Divides segments at each other. Each becomes a chain of points from its first end to its second. `None` if there are
+/// Divides segments at each other. Each becomes a chain of points from its first end to its second. An error if there are
 /// more than `most` crossings, or if very many segments lie near each other or on one line.
-pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Point>>> {
+pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Result<Vec<Vec<Point>>, StreetError> {
     let mut chains = round(segments, &crossings(segments, most)?, most)?;
     // Rounding errors of crossings may leave edges that still meet. This is rare, and one more round usually repairs
     // it.
     for _ in 0..MOST_ROUNDS {
         let mut edges: Vec<[Point; 2]> = chains.iter().flat_map(|chain| chain.windows(2).map(sorted)).collect();
-        edges.sort_unstable();
-        edges.dedup();
+        sort_and_dedup(&mut edges)?;
         let again = crossings(&edges, most)?;
         if again.is_empty() {
             break;
         }
         let parts = round(&edges, &again, most)?;
         for chain in &mut chains {
+            spend(EDGE * chain.len())?;
             let mut finer = vec![chain[0]];
             for edge in chain.windows(2) {
                 let Ok(at) = edges.binary_search(&sorted(edge)) else { continue };
@@ -35,7 +37,7 @@ pub(super) fn divide(segments: &[[Point; 2]], most: usize) -> Option<Vec<Vec<Poi
             *chain = finer;
         }
     }
-    Some(chains)
+    Ok(chains)
 }
 
 /// The limit on rounds that repair edges that still meet.
@@ -48,37 +50,38 @@ fn sorted(edge: &[Point]) -> [Point; 2] {
 /// The limit on comparisons of segments for each crossing that is allowed.
 const COMPARISONS: usize = 128;
 
-/// The crossings of segments: the number of a segment and the rounded point. `None` if there are more than `most`, or if very
+/// The crossings of segments: the number of a segment and the rounded point. An error if there are more than `most`, or if very
 /// many segments lie near each other.
-fn crossings(segments: &[[Point; 2]], most: usize) -> Option<Vec<(u32, Point)>> {
+fn crossings(segments: &[[Point; 2]], most: usize) -> Result<Vec<(u32, Point)>, StreetError> {
     let tree = SegmentTree::of(segments.iter().copied());
     let (mut found, mut compared) = (Vec::new(), 0);
     for (second, &segment) in (0..).zip(segments) {
-        compared += tree.near(segment, 0, |first| {
+        let near = tree.near(segment, 0, |first| {
             if first < second
                 && let Some(point) = crossing(segments[first as usize], segment)
             {
                 found.extend([(first, point), (second, point)]);
             }
         });
+        compared += near;
         if 8 * most < found.len() || COMPARISONS * most < compared {
-            return None;
+            return Err(StreetError::TooDense { most });
         }
+        spend(EDGE + 2 * near)?;
     }
-    found.sort_unstable();
-    found.dedup();
-    (found.len() <= 2 * most).then_some(found)
+    sort_and_dedup(&mut found)?;
+    if found.len() <= 2 * most { Ok(found) } else { Err(StreetError::TooDense { most }) }
 }
 
 /// The limit on points inside of all chains for each crossing that is allowed, which bounds memory: segments on one line divide each other
 /// without a crossing.
 const INNER_POINTS: usize = 8;
 
-/// Routes segments through all hot points that they pass, and through their own crossings. `None` if the chains have very many points.
-fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)], most: usize) -> Option<Vec<Vec<Point>>> {
+/// Routes segments through all hot points that they pass, and through their own crossings. An error if the chains have very many
+/// points.
+fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)], most: usize) -> Result<Vec<Vec<Point>>, StreetError> {
     let mut hot: Vec<Point> = segments.iter().flatten().copied().chain(crossings.iter().map(|one| one.1)).collect();
-    hot.small_sort();
-    hot.dedup();
+    sort_and_dedup(&mut hot)?;
     let pixels = SegmentTree::of(hot.iter().map(|point| [*point; 2]));
     let mut inner = 0;
     let chain = |(number, &segment): (usize, &[Point; 2])| {
@@ -86,11 +89,12 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)], most: usize) -> Op
         let from = crossings.partition_point(|one| (one.0 as usize) < number);
         let own = crossings[from..].iter().take_while(|one| one.0 as usize == number);
         let mut chain: Vec<Point> = own.map(|one| one.1).collect();
-        pixels.near(segment, 2, |number| {
+        let near = pixels.near(segment, 2, |number| {
             if passes(segment, hot[number as usize]) {
                 chain.push(hot[number as usize]);
             }
         });
+        spend(EDGE + 2 * near)?;
         let along = b.from(a);
         chain.small_sort_by_key(|point| (dot(along, point.from(a)), *point));
         chain.dedup();
@@ -99,7 +103,7 @@ fn round(segments: &[[Point; 2]], crossings: &[(u32, Point)], most: usize) -> Op
         chain.insert(0, a);
         chain.push(b);
         inner += chain.len() - 2;
-        (inner <= INNER_POINTS * most).then_some(chain)
+        if inner <= INNER_POINTS * most { Ok(chain) } else { Err(StreetError::TooDense { most }) }
     };
     segments.iter().enumerate().map(chain).collect()
 }

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Duration;
 
 use cga::{Limits, Settings, Shape, Watch};
-use cga_tests::stopped::{Every, bounds, rules, shapes};
+use cga_tests::stopped::{Every, bounds, rules, shapes, sphere};
 use common::table::{Table, number};
 
 /// The number of rows that are printed.
@@ -63,7 +63,7 @@ fn run(rule: &str, shape: &Shape, last: u64) -> (Questions, Duration) {
         Duration::MAX
     });
     let _ = own.set(watch.clone());
-    let limits = Limits { vertices: 3_000_000, ..Limits::default() };
+    let limits = Limits { vertices: 20_000_000, bytes: 1 << 32, ..Limits::default() };
     let settings = Settings { start: Some(rule.to_owned()), limits, watch: Some(watch), ..Settings::default() };
     // Some rows end at a limit.
     drop(Every::default().generate_with(shape, &settings));
@@ -72,8 +72,33 @@ fn run(rule: &str, shape: &Shape, last: u64) -> (Questions, Duration) {
     (Questions { ..*seen }, end)
 }
 
+/// Milliseconds from the end of 300 ms to the return of a run on a large sphere, and from the worst moment.
+fn on_large_sphere(asked: &[String]) {
+    let shape = sphere(500);
+    let columns = ["rule of `tests/rules/one_operation.cga`", "after 300 ms", "at the worst moment", "the longest run"];
+    let mut table = Table::new("Milliseconds from stop to return, on a sphere of 500,000 faces", &columns);
+    for rule in rules().into_iter().filter(|rule| asked.is_empty() || asked.iter().any(|name| rule.is(name))) {
+        let limit = Duration::from_millis(300);
+        let watch = Watch::deadline(limit);
+        let settings = Settings { start: Some(rule.to_string()), watch: Some(watch), ..Settings::default() };
+        let start = std::time::Instant::now();
+        drop(Every::default().generate_with(&shape, &settings));
+        let late = start.elapsed().saturating_sub(limit).as_secs_f64() * 1e3;
+        let start = now();
+        let (questions, end) = run(&rule, &shape, u64::MAX);
+        let (stopped, returned) = run(&rule, &shape, questions.longest.1.saturating_sub(1));
+        let times = [late, (returned - stopped.last).as_secs_f64() * 1e3, (end - start).as_secs_f64() * 1e3];
+        println!("{rule} {times:.1?}");
+        table.row(&rule, &times.map(|time| number(time, 1)));
+    }
+    table.print();
+}
+
 fn main() {
     let asked: Vec<String> = std::env::args().skip(1).filter(|arg| arg.starts_with('R')).collect();
+    if std::env::args().any(|arg| arg == "sphere") {
+        return on_large_sphere(&asked);
+    }
     let (mut rows, mut units) = (Vec::new(), Vec::new());
     for rule in rules().into_iter().filter(|rule| asked.is_empty() || asked.iter().any(|name| rule.is(name))) {
         let mut most = 0;

@@ -5,14 +5,18 @@ use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use cga::{Error, Grammar, Settings, Shape, Text, Watch, cga};
-use cga_lang::ops::{Changes, all_operations};
-use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes};
+use cga_lang::ops::{Changes, Operation, all_operations};
+use cga_tests::stopped::{Every, MOST_UNITS, bounds, rules, shapes, sphere};
+
+/// The operations that may read or change a whole mesh.
+fn whole_operations() -> impl Iterator<Item = &'static Operation> {
+    all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
+}
 
 #[test]
 fn every_operation_that_is_not_slim_has_a_row() {
     let text = include_str!("../rules/one_operation.cga");
-    for operation in all_operations().filter(|operation| operation.changes == Changes::Whole && operation.old.is_none())
-    {
+    for operation in whole_operations() {
         let name = operation.name;
         let is_call =
             |at: usize| !text[..at].ends_with(char::is_alphanumeric) && text[at + name.len()..].starts_with(['(', ' ']);
@@ -61,6 +65,67 @@ fn every_operation_asks_its_watch() {
             let (most, count) = questions(rule, shape, 1 + (number + kind) as u64 % 4);
             let bound = bounds[number].1;
             assert!(1 < count && most <= bound, "{rule}: {most} units between two of {count} questions, not {bound}");
+        }
+    }
+}
+
+/// Operations that do not read all faces of the shape of the test again, and why.
+const CONSTANT: [(&str, &str); 18] = [
+    ("primitiveQuad", "replaces the mesh"),
+    ("primitiveDisk", "replaces the mesh"),
+    ("primitiveCube", "replaces the mesh"),
+    ("primitiveSphere", "replaces the mesh"),
+    ("primitiveCylinder", "replaces the mesh"),
+    ("primitiveCone", "replaces the mesh"),
+    ("taper", "refuses a mesh of several faces"),
+    ("resetGeometry", "takes the mesh of the initial shape"),
+    ("trim", "finds no trim plane"),
+    ("deleteTags", "finds no tags"),
+    ("setTagsFromEdgeAttrs", "finds no attributes of edges"),
+    ("translate", "moves the scope"),
+    ("r", "turns the scope"),
+    ("rotate", "turns the scope"),
+    ("center", "moves the scope"),
+    ("setMaterial", "changes the look"),
+    ("resetMaterial", "changes the look"),
+    ("i", "replaces the mesh"),
+];
+
+/// The rules that begin with an operation.
+fn rules_of(operation: &str) -> Vec<&'static str> {
+    let lines = include_str!("../rules/one_operation.cga").lines().filter_map(|line| line.split_once(" --> "));
+    let begins = |body: &str| body.strip_prefix(operation).is_some_and(|rest| rest.starts_with(['(', ' ']));
+    lines.filter(|(rule, body)| rule.starts_with('R') && begins(body)).map(|(rule, _)| rule).collect()
+}
+
+/// The work of a run that is stopped after an amount of work, in units.
+fn work(rule: &str, shape: &Shape, most: u64) -> u64 {
+    let own: Arc<OnceLock<Watch>> = Arc::default();
+    let asked = own.clone();
+    let watch = Watch::deadline_by(Duration::from_secs(1), move || {
+        let work = asked.get().map_or(0, |watch| watch.progress().work);
+        if work < most { Duration::ZERO } else { Duration::MAX }
+    });
+    let _ = own.set(watch.clone());
+    let settings = Settings { start: Some(rule.to_owned()), watch: Some(watch.clone()), ..Settings::default() };
+    drop(Every::default().generate_with(shape, &settings));
+    watch.progress().work
+}
+
+/// An operation that reads or makes all faces counts more than their corners, which each operation and each leaf count. It asks once
+/// for each 65,536 units.
+#[test]
+fn every_operation_counts_the_faces_of_a_large_mesh() {
+    let shape = sphere(100);
+    // The shape is read for the leaf, and for an operation.
+    let least = 2 * work("A", &shape, u64::MAX) + 1;
+    for operation in whole_operations() {
+        let rules = rules_of(operation.name);
+        assert!(!rules.is_empty(), "no rule begins with `{}`", operation.name);
+        let is_constant = CONSTANT.iter().any(|(name, _)| *name == operation.name);
+        for rule in rules {
+            let work = work(rule, &shape, least);
+            assert_eq!(work < least, is_constant, "`{}` ({rule}): {work} units of at least {least}", operation.name);
         }
     }
 }

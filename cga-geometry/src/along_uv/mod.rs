@@ -101,7 +101,7 @@ pub fn insert_along_uv(carrier: &Mesh, asset: &Mesh, options: &AlongUv, most: us
             }
         }
     }
-    Ok(made.builder.build().unwrap_or_default())
+    Ok(made.builder.build_in_time().ok().flatten().unwrap_or_default())
 }
 
 /// The limit on visited corners of the asset per corner of the result. Small faces of a carrier use few of the visited

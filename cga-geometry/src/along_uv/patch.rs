@@ -1,13 +1,12 @@
 //! Faces of the carrier as convex patches of texture space, with their maps to the surface.
 
-use std::collections::BTreeMap;
-
 use glam::{DVec2, DVec3};
 
 use super::{AlongUv, HeightDirection};
 use crate::each::Each;
 use crate::exact::{comes_first, orient};
 use crate::extrude::vertex_normals;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TooManyCorners};
 use crate::nesting::extent::Extent;
 use crate::segment::nearest_share;
@@ -193,8 +192,8 @@ type EdgeEnd = (u32, [u64; 2]);
 #[derive(Default)]
 pub(super) struct Patches {
     pub(super) list: Vec<UvPatch>,
-    /// For each edge the first patches that have it.
-    neighbours: BTreeMap<[EdgeEnd; 2], Vec<u32>>,
+    /// The edges of patches with the numbers of the patches, sorted.
+    edges: Vec<([EdgeEnd; 2], u32)>,
 }
 
 impl Patches {
@@ -233,19 +232,14 @@ impl Patches {
                 patches.add(UvPatch::of(triangle.each(corner).to_vec()));
             }
         }
-        patches
+        if long_sort_by(&mut patches.edges, Ord::cmp) { patches } else { Patches::default() }
     }
 
     fn add(&mut self, patch: Option<UvPatch>) {
-        /// The limit on patches per edge. An edge of a surface has fewer.
-        const MOST: usize = 8;
         let Some(patch) = patch else { return };
         let number = self.list.len() as u32;
         for edge in 0..patch.corners.len() {
-            let known = self.neighbours.entry(key(&patch, edge)).or_default();
-            if known.len() < MOST {
-                known.push(number);
-            }
+            self.edges.push((key(&patch, edge), number));
         }
         self.list.push(patch);
     }
@@ -253,9 +247,13 @@ impl Patches {
     /// Returns true if polygons above an edge in a cell belong to a patch: they belong to the first patch at the edge
     /// that covers the cell.
     pub(super) fn owns_wall(&self, patch: usize, edge: usize, cell: DVec2) -> bool {
-        let known = self.neighbours.get(&key(&self.list[patch], edge));
-        let first = known.into_iter().flatten().find(|&&other| self.list[other as usize].covers(cell));
-        first.is_none_or(|&first| first as usize == patch)
+        /// The limit on patches per edge. An edge of a surface has fewer.
+        const MOST: usize = 8;
+        let key = key(&self.list[patch], edge);
+        let from = self.edges.partition_point(|known| known.0 < key);
+        let known = self.edges[from..].iter().take_while(|known| known.0 == key).take(MOST);
+        let first = known.map(|known| known.1 as usize).find(|&other| self.list[other].covers(cell));
+        first.is_none_or(|first| first == patch)
     }
 }
 

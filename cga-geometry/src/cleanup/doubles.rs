@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 
 use super::components::{components, is_closed};
 use super::values::have_same_attributes;
-use super::{add_face, without_faces};
+use super::{add_face, spend, without_faces};
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::Mesh;
 use crate::small_sort::SmallSort;
 use crate::tol::VOLUME_EPSILON;
@@ -31,7 +32,7 @@ pub(super) enum FlatParts {
 /// stays. In a closed part all faces of such a set stay that are needed to keep it closed; of two opposite faces inside a
 /// solid none is. `None` if no face is removed.
 pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
-    let sets = doubles(mesh);
+    let sets = doubles(mesh)?;
     if sets.is_empty() {
         return None;
     }
@@ -48,7 +49,10 @@ pub(super) fn without_doubles(mesh: &Mesh, flat: FlatParts) -> Option<Mesh> {
         return None;
     }
     let mut made = without_faces(mesh);
-    (0..mesh.face_count()).filter(|&face| !is_gone[face]).for_each(|face| add_face(&mut made, mesh, face));
+    for face in (0..mesh.face_count()).filter(|&face| !is_gone[face]) {
+        spend(mesh.face_corners(face).len())?;
+        add_face(&mut made, mesh, face);
+    }
     Some(made.finish())
 }
 
@@ -83,12 +87,32 @@ fn encloses_nothing(mesh: &Mesh, faces: &[u32]) -> bool {
     faces.iter().map(volume).sum::<f64>().abs() <= 6.0 * VOLUME_EPSILON * faces.len() as f64
 }
 
-/// The sets of faces with the same corners, each with at least two faces, in the order of their first faces.
-fn doubles(mesh: &Mesh) -> Vec<Vec<Double>> {
+/// The faces that may have the same corners as others, in order. `None` if the work is to end.
+fn candidates(mesh: &Mesh) -> Option<Vec<u32>> {
+    let mut faces: Vec<(u64, u32)> = Vec::with_capacity(mesh.face_count());
+    for face in mesh.faces() {
+        spend(face.corner_count())?;
+        // A sum that does not depend on the order of the points.
+        let mixed = |point: u32| (u64::from(point) + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15).rotate_left(29);
+        let points = mesh.corners[face.corner_range()].iter().map(|&point| mixed(point).wrapping_mul(mixed(point)));
+        faces.push((points.fold(0, u64::wrapping_add), face.index() as u32));
+    }
+    if !long_sort_by(&mut faces, Ord::cmp) {
+        return None;
+    }
+    let several = faces.chunk_by(|a, b| a.0 == b.0).filter(|faces| 1 < faces.len());
+    let mut found: Vec<u32> = several.flatten().map(|face| face.1).collect();
+    long_sort_by(&mut found, Ord::cmp).then_some(found)
+}
+
+/// The sets of faces with the same corners, each with at least two faces, in the order of their first faces. `None` if the work is to
+/// end.
+fn doubles(mesh: &Mesh) -> Option<Vec<Vec<Double>>> {
     // Faces with their corners, in the order of the key.
     type Set = Vec<(Double, Vec<u32>)>;
     let mut found: BTreeMap<Vec<u32>, Vec<Set>> = BTreeMap::new();
-    for face in 0..mesh.face_count() as u32 {
+    for face in candidates(mesh)? {
+        spend(2 * mesh.face_corners(face as usize).len())?;
         let (key, corners, is_along) = canonical(mesh, face);
         let sets = found.entry(key).or_default();
         let is_same = |set: &Set| {
@@ -113,7 +137,7 @@ fn doubles(mesh: &Mesh) -> Vec<Vec<Double>> {
         })
         .collect();
     sets.sort_unstable_by_key(|set| set[0].face);
-    sets
+    Some(sets)
 }
 
 /// The points of a face in an order that does not depend on its first corner and its direction, the corners in that order, and the

@@ -2,11 +2,12 @@
 
 use glam::DVec3;
 
-use super::Limits;
 use super::regions::{KEPT, Removal, joined};
 use super::slivers::neighbour;
 use super::values::{continue_over, have_same_attributes};
+use super::{Limits, spend};
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::Mesh;
 
 /// The face of a region that is not found yet.
@@ -16,10 +17,11 @@ const UNKNOWN: u32 = u32::MAX;
 /// near its plane, so that a bent surface does not become one face. Edges stay that have tags, or whose faces differ in attributes
 /// or texture, and so do those that more than two faces have. `None` if no edge is removed.
 pub(super) fn without_flat_edges(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
-    let adjacency = mesh.adjacency();
-    let normals: Vec<DVec3> = mesh.faces().map(|face| face.normal()).collect();
+    let adjacency = mesh.adjacency_in_time()?;
+    let normals = mesh.face_normals_in_time()?;
     let mut open = Removal::none(mesh);
     for corner in 0..mesh.corners.len() as u32 {
+        spend(1)?;
         let Some(other) = neighbour(mesh, corner).filter(|&other| corner < other) else { continue };
         let [one, two] = [corner, other].each(|corner| adjacency.face(corner));
         let ends = [corner, other].each(|corner| mesh.corners[corner as usize]);
@@ -37,13 +39,17 @@ pub(super) fn without_flat_edges(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     }
     let areas: Vec<f64> = mesh.faces().map(|face| face.area()).collect();
     let mut order: Vec<u32> = (0..mesh.face_count() as u32).collect();
-    order.sort_by(|&a, &b| areas[b as usize].total_cmp(&areas[a as usize]));
+    spend(order.len())?;
+    let by_area = |&a: &u32, &b: &u32| areas[b as usize].total_cmp(&areas[a as usize]).then(a.cmp(&b));
+    if !long_sort_by(&mut order, by_area) {
+        return None;
+    }
     let mut growth = Growth { mesh, limits, normals: &normals, open: &open.mates, seeds: vec![UNKNOWN; order.len()] };
     let mut removal = Removal::none(mesh);
     let mut refused = vec![UNKNOWN; order.len()];
     for seed in order {
         if growth.seeds[seed as usize] == UNKNOWN {
-            let faces = growth.grow(seed, &mut refused);
+            let faces = growth.grow(seed, &mut refused)?;
             let first = faces.iter().copied().min().unwrap_or(seed);
             faces.iter().for_each(|&face| removal.regions[face as usize] = first);
         }
@@ -70,13 +76,14 @@ struct Growth<'m> {
 }
 
 impl Growth<'_> {
-    /// Finds the faces of the region around a face.
-    fn grow(&mut self, seed: u32, refused: &mut [u32]) -> Vec<u32> {
+    /// Finds the faces of the region around a face. `None` if the work is to end.
+    fn grow(&mut self, seed: u32, refused: &mut [u32]) -> Option<Vec<u32>> {
         let mut faces = vec![seed];
         self.seeds[seed as usize] = seed;
         let mut next = 0;
         while let Some(&face) = faces.get(next) {
             next += 1;
+            spend(2 * self.mesh.face_corners(face as usize).len())?;
             for corner in self.mesh.face_corners(face as usize) {
                 let mate = self.open[corner];
                 if mate == KEPT {
@@ -94,7 +101,7 @@ impl Growth<'_> {
                 }
             }
         }
-        faces
+        Some(faces)
     }
 
     /// Returns true if a face is in the plane of the seed, and if all edges between it and the region can be removed.

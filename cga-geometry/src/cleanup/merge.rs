@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::crossing::will_break;
-use super::{add_loops, without_faces};
+use super::{add_loops, spend, without_faces};
 use crate::each::Each;
 use crate::mesh::Mesh;
 
@@ -14,6 +14,9 @@ const MOST_ROUNDS: usize = 16;
 
 /// The limit on points of a cell that are compared. Only points that stay can be that dense.
 const MOST_IN_CELL: usize = 256;
+
+/// The passes that the search for the target of a point counts for.
+const MERGED: usize = 16;
 
 /// The size of cells, in distances, and their least size.
 const CELL: f64 = 4.0;
@@ -39,6 +42,7 @@ pub(super) fn merged_into(mesh: &Mesh, targets: impl Fn(&[bool]) -> Vec<u32>) ->
         }
         let mut is_done = true;
         for face in mesh.faces() {
+            spend(face.corner_count())?;
             if will_break(mesh, face.index(), &targets) {
                 for &point in &mesh.corners[face.corner_range()] {
                     let is_moved = targets[point as usize] != point;
@@ -48,19 +52,22 @@ pub(super) fn merged_into(mesh: &Mesh, targets: impl Fn(&[bool]) -> Vec<u32>) ->
             }
         }
         if is_done || round == MOST_ROUNDS {
-            return Some(with_targets(mesh, &targets));
+            return with_targets(mesh, &targets);
         }
     }
     None
 }
 
-/// For each point the point that it becomes.
+/// For each point the point that it becomes; if the work is to end, the point itself.
 fn targets(points: &[DVec3], distance: f64, stays: &[bool]) -> Vec<u32> {
     let size = (distance * CELL).max(LEAST_CELL);
     let cell = |place: DVec3| (place / size).floor();
     let mut cells: BTreeMap<[u64; 3], Vec<u32>> = BTreeMap::new();
     let mut targets = Vec::with_capacity(points.len());
     for (number, &point) in (0..).zip(points) {
+        if spend(MERGED).is_none() {
+            return (0..points.len() as u32).collect();
+        }
         let mut nearest = (f64::INFINITY, number);
         let around = [cell(point - distance), cell(point + distance)];
         let near = corners(around).filter_map(|cell| cells.get(&key(cell)));
@@ -91,11 +98,13 @@ fn key(cell: DVec3) -> [u64; 3] {
     (cell + 0.0).to_array().each(f64::to_bits)
 }
 
-fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
+/// `None` if the work is to end.
+fn with_targets(mesh: &Mesh, targets: &[u32]) -> Option<Mesh> {
     let target = |point: u32| targets[point as usize];
-    let keeps_holes = mesh.is_closed();
+    let keeps_holes = mesh.whether_closed()?;
     let mut made = without_faces(mesh);
     for face in mesh.faces() {
+        spend(2 * face.corner_count())?;
         let loops: Vec<Vec<u32>> = face
             .loop_ranges()
             .map(|ring| {
@@ -112,5 +121,5 @@ fn with_targets(mesh: &Mesh, targets: &[u32]) -> Mesh {
     // Merged edges and vertices have the tags of all.
     mesh.subcomponent_tags.edges().for_each(|(ends, tags)| made.tag_edge(ends.each(target), tags));
     mesh.subcomponent_tags.vertices().for_each(|(point, tags)| made.tag_vertex(target(point), tags));
-    made.finish()
+    Some(made.finish())
 }

@@ -85,7 +85,7 @@ impl Limits {
 /// empty.
 ///
 /// The tolerance is from 0 to 1. It counts as a length in metres, as an angle in units of 10 degrees, and as an area in square
-/// metres. A tolerance that is NaN counts as 0.
+/// metres. A tolerance that is NaN counts as 0. Also `None` if the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
 ///
 /// ```
 /// use cga_geometry::cleanup::{Parts, cleanup};
@@ -126,14 +126,20 @@ pub fn cleanup(mesh: &Mesh, parts: Parts, tolerance: f64) -> Option<Mesh> {
     if draft.steps == 0 {
         return None;
     }
-    Some(without_unused_points(draft.mesh, mesh))
+    let made = without_unused_points(draft.mesh, mesh);
+    work::spend(0).then_some(made)
 }
 
-/// A mesh whose corners have points of the original mesh, with those points alone.
+/// A mesh whose corners have points of the original mesh, with those points alone; empty if the work is to end.
 fn without_unused_points(made: Mesh, original: &Mesh) -> Mesh {
     let full = Mesh { points: original.points.clone(), trace: original.trace.clone(), ..made };
     let mut made = Derivation::new(&full, CornerValues::All, full.corners.len()).with_old_points();
-    full.faces().for_each(|face| made.keep(face.loop_ranges(), FaceOrigin::piece(&face)));
+    for face in full.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
+        made.keep(face.loop_ranges(), FaceOrigin::piece(&face));
+    }
     made.finish_used()
 }
 
@@ -190,6 +196,11 @@ impl Draft {
             self.step(|mesh| doubles::without_doubles(mesh, flat));
         }
     }
+}
+
+/// Counts the work of a pass over a corner or a point. `None` if the work is to end.
+fn spend(count: usize) -> Option<()> {
+    work::spend(CORNER * count).then_some(())
 }
 
 /// A mesh without faces that has the points of a mesh.

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::crossing::is_simple;
-use super::{add_face, without_faces};
+use super::{add_face, spend, without_faces};
 use crate::derive::FaceOrigin;
 use crate::mesh::{Mesh, unit};
 
@@ -33,15 +33,17 @@ impl Removal {
 
 /// The mesh without these edges. Each region is one face at the place of its first face, with that face's attributes. Loops
 /// start with the first edge that is left. A region that does not become one outline with holes stays divided, except that a face
-/// may fall apart into several. `None` if nothing changes.
+/// may fall apart into several. `None` if nothing changes, or if the work is to end.
 pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
     let mut faces: Vec<Vec<u32>> = vec![Vec::new(); mesh.face_count()];
+    spend(mesh.face_count())?;
     for (face, &region) in (0..).zip(&removal.regions) {
         faces[region as usize].push(face);
     }
     let mut found: Vec<Option<Vec<Vec<u32>>>> = vec![None; mesh.face_count()];
     let mut is_seen = vec![false; mesh.corners.len()];
     for (region, faces) in faces.iter().enumerate() {
+        spend(faces.iter().map(|&face| mesh.face_corners(face as usize).len()).sum())?;
         let is_cut = |face: &u32| mesh.face_corners(*face as usize).any(|corner| removal.mates[corner] != KEPT);
         if faces.iter().any(is_cut) {
             found[region] = loops(mesh, removal, faces, &mut is_seen).filter(|loops| {
@@ -56,6 +58,7 @@ pub(super) fn joined(mesh: &Mesh, removal: &Removal) -> Option<Mesh> {
     }
     let mut made = without_faces(mesh);
     for face in 0..mesh.face_count() {
+        spend(mesh.face_corners(face).len())?;
         let region = removal.regions[face] as usize;
         match &found[region] {
             None => add_face(&mut made, mesh, face),

@@ -1,6 +1,7 @@
 //! Removes edges that one face has in both directions: bridges to holes, borders between holes, and spikes.
 
 use super::regions::{Removal, joined};
+use super::spend;
 use crate::each::Each;
 use crate::mesh::{Mesh, in_order};
 use crate::small_sort::SmallSort;
@@ -23,11 +24,12 @@ pub(super) fn tagged_slits(mesh: &Mesh) -> Vec<[u32; 2]> {
 
 /// The mesh without the edges that one face has in both directions, except for some, which are sorted. `None` if no face has one.
 pub(super) fn without_slits(mesh: &Mesh, kept: &[[u32; 2]]) -> Option<Mesh> {
-    let adjacency = mesh.adjacency();
+    let adjacency = mesh.adjacency_in_time()?;
     let mut removal = Removal::none(mesh);
     let mut is_any = false;
     for edge in 0..adjacency.edge_count() {
         let uses = adjacency.uses(edge);
+        spend(uses.len())?;
         // The uses are in the order of faces.
         for here in uses.chunk_by(|&a, &b| adjacency.face(a) == adjacency.face(b)) {
             if here.len() < 2 || kept.binary_search(&in_order(ends(mesh, here[0]))).is_ok() {

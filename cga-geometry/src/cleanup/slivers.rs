@@ -2,7 +2,7 @@
 
 use super::regions::{KEPT, Removal, joined};
 use super::values::have_same_attributes;
-use super::{Limits, values};
+use super::{Limits, spend, values};
 use crate::each::Each;
 use crate::mesh::Mesh;
 use crate::tol::FLAT_EPSILON;
@@ -14,6 +14,7 @@ pub(super) fn without_slivers(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
     let mut is_used = vec![false; mesh.face_count()];
     let mut is_any = false;
     for face in 0..mesh.face_count() as u32 {
+        spend(mesh.face_corners(face as usize).len())?;
         let Some(longest) = longest_edge_of_sliver(mesh, face) else { continue };
         let Some(other) = neighbour(mesh, longest) else { continue };
         let into = mesh.adjacency().face(other);

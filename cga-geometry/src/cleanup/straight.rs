@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::crossing::will_break;
 use super::values::are_between;
-use super::{Limits, add_loops, without_faces};
+use super::{Limits, add_loops, spend, without_faces};
 use crate::each::Each;
 use crate::mesh::{Mesh, unit};
 
@@ -12,7 +12,12 @@ use crate::mesh::{Mesh, unit};
 /// deviates from them by less than the limits, so that an arc of many edges keeps its form. Points with tags stay, and so do those
 /// between edges with different tags, and those at which the texture bends. `None` if no point is removed.
 pub(super) fn without_straight_points(mesh: &Mesh, limits: &Limits) -> Option<Mesh> {
-    let links: Vec<Option<[u32; 2]>> = (0..mesh.points.len()).map(|point| link(mesh, point, limits)).collect();
+    mesh.adjacency_in_time()?;
+    let link = |point: usize| {
+        spend(2)?;
+        Some(link(mesh, point, limits))
+    };
+    let links: Vec<Option<[u32; 2]>> = (0..mesh.points.len()).map(link).collect::<Option<_>>()?;
     let mut lines = Lines {
         mesh,
         limits,
@@ -22,6 +27,7 @@ pub(super) fn without_straight_points(mesh: &Mesh, limits: &Limits) -> Option<Me
     };
     // Lines that end at other points, and then those that are loops, from the first corner of a face on.
     for point in 0..links.len() as u32 {
+        spend(1)?;
         if links[point as usize].is_none() {
             for &corner in mesh.adjacency().at(point as usize) {
                 for next in [mesh.adjacency().next(corner), mesh.adjacency().before(corner)] {
@@ -31,15 +37,17 @@ pub(super) fn without_straight_points(mesh: &Mesh, limits: &Limits) -> Option<Me
         }
     }
     for &point in &mesh.corners {
+        spend(1)?;
         if let Some([_, next]) = links[point as usize].filter(|_| !lines.is_seen[point as usize]) {
             lines.is_seen[point as usize] = true;
             lines.follow(point, next);
         }
     }
     let mut targets = lines.targets;
-    keep_large_loops(mesh, limits, &mut targets);
-    keep_broken_faces(mesh, &mut targets);
-    (0..).zip(&targets).any(|(point, &target)| point != target).then(|| without(mesh, &targets))
+    keep_large_loops(mesh, limits, &mut targets)?;
+    keep_broken_faces(mesh, &mut targets)?;
+    let is_any = (0..).zip(&targets).any(|(point, &target)| point != target);
+    if is_any { without(mesh, &targets) } else { None }
 }
 
 /// The neighbours of a point that may be removed; `None` for other points.
@@ -129,23 +137,30 @@ impl Lines<'_> {
     }
 }
 
-/// Keeps all points of loops that would shrink to nothing although they have an area.
-fn keep_large_loops(mesh: &Mesh, limits: &Limits, targets: &mut [u32]) {
-    for face in mesh.faces().filter(|face| limits.area < face.area()) {
+/// Keeps all points of loops that would shrink to nothing although they have an area. `None` if the work is to end.
+fn keep_large_loops(mesh: &Mesh, limits: &Limits, targets: &mut [u32]) -> Option<()> {
+    for face in mesh.faces() {
+        spend(face.corner_count())?;
+        if face.area() <= limits.area {
+            continue;
+        }
         for ring in face.loops() {
             if ring.iter().filter(|&&point| targets[point as usize] == point).count() < 3 {
                 keep(ring, targets);
             }
         }
     }
+    Some(())
 }
 
 /// Keeps all points of faces that would turn over, cross themselves, or leave a hole outside. Their neighbours keep them, too.
-fn keep_broken_faces(mesh: &Mesh, targets: &mut [u32]) {
+/// `None` if the work is to end.
+fn keep_broken_faces(mesh: &Mesh, targets: &mut [u32]) -> Option<()> {
     loop {
+        spend(mesh.corners.len())?;
         let broken: Vec<usize> = (0..mesh.face_count()).filter(|&face| will_break(mesh, face, targets)).collect();
         if broken.is_empty() {
-            return;
+            return Some(());
         }
         broken.into_iter().for_each(|face| keep(&mesh.corners[mesh.face_corners(face)], targets));
     }
@@ -155,14 +170,16 @@ fn keep(points: &[u32], targets: &mut [u32]) {
     points.iter().for_each(|&point| targets[point as usize] = point);
 }
 
-fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
+/// `None` if the work is to end.
+fn without(mesh: &Mesh, targets: &[u32]) -> Option<Mesh> {
     let mut made = without_faces(mesh);
     let is_kept = |corner: &u32| {
         let point = mesh.corners[*corner as usize];
         targets[point as usize] == point
     };
-    let keeps_holes = mesh.is_closed();
+    let keeps_holes = mesh.whether_closed()?;
     for face in mesh.faces() {
+        spend(2 * face.corner_count())?;
         let mut loops = Vec::with_capacity(face.loops().len());
         for ring in face.loop_ranges() {
             let (start, end) = (ring.start as u32, ring.end as u32);
@@ -187,5 +204,5 @@ fn without(mesh: &Mesh, targets: &[u32]) -> Mesh {
         }
         add_loops(&mut made, mesh, face.index(), &loops, keeps_holes, |point| point);
     }
-    made.finish()
+    Some(made.finish())
 }

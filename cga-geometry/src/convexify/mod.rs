@@ -27,6 +27,7 @@ use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix};
 use crate::mesh::{FaceRef, Mesh};
 use crate::origin::PointOrigin;
 use crate::unbent::without_bent_faces;
+use crate::work;
 use cutter::Cutter;
 use net::Net;
 use plane::Plane;
@@ -66,15 +67,20 @@ pub fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
         let origins = || (0..flat.points.len() as u32).map(PointOrigin::Old).collect();
         return Convexified { made: cut.made.or_else(|| Some((flat.clone(), origins()))), ..cut };
     }
-    let concave: Vec<usize> = (0..mesh.face_count()).filter(|&face| is_concave(&mesh.face(face))).collect();
-    if concave.is_empty() || longest <= 0.0 {
-        return Convexified { made: None, refused: Vec::new() };
+    let none = || Convexified { made: None, refused: Vec::new() };
+    let is_cut = |face: &FaceRef<'_>| work::spend(CORNER * face.corner_count()) && is_concave(face);
+    let concave: Vec<usize> = mesh.faces().filter(is_cut).map(|face| face.index()).collect();
+    if concave.is_empty() || longest <= 0.0 || mesh.adjacency_in_time().is_none() {
+        return none();
     }
     let mut net = Net::of(mesh);
     let mut refused = Vec::new();
     let mut parts: Vec<Vec<Part>> = Vec::with_capacity(concave.len());
     for &number in &concave {
         let face = mesh.face(number);
+        if !work::spend(CORNER * face.corner_count()) {
+            return none();
+        }
         let heads: Vec<u32> = face.loop_ranges().map(|ring| ring.start as u32).collect();
         let plane = Plane::of(face.normal(), face.corner_range().map(|corner| face.position(corner)));
         parts.push(divide(&mut net, &heads, plane, longest).unwrap_or_else(|| {
@@ -86,7 +92,10 @@ pub fn convexify(mesh: &Mesh, longest: f64) -> Convexified {
     Convexified { made: is_cut.then(|| assembled(&net, &concave, &parts)), refused }
 }
 
-/// The mesh with the parts of its concave faces, and the origins of its points.
+/// The units of work of a corner.
+const CORNER: usize = 8;
+
+/// The mesh with the parts of its concave faces, and the origins of its points. Empty if the work is to end.
 fn assembled(net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<PointOrigin>) {
     let mesh = &net.pool;
     let mut made = Derivation::new(mesh, CornerValues::All, net.corner_count()).without_trace();
@@ -95,6 +104,9 @@ fn assembled(net: &Net, concave: &[usize], parts: &[Vec<Part>]) -> (Mesh, Vec<Po
     }
     let mut cut = concave.iter().zip(parts).peekable();
     for face in mesh.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
         let whole = || vec![face.loop_ranges().map(|ring| ring.start as u32).collect()];
         let parts = cut.next_if(|(number, _)| **number == face.index());
         for part in parts.map_or_else(whole, |(_, parts)| parts.clone()) {

@@ -8,12 +8,12 @@ use std::collections::BTreeMap;
 
 use super::{EdgeOrigin, EdgeSource, PointOrigin};
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, SubcomponentTags, SubcomponentTagsBuilder, TagSet, TagSetTable, in_order, whole_edge};
-use crate::small_sort::SmallSort;
+use crate::trace::UNTRACED;
 use crate::work;
 
-/// The units of work of an edge that is sorted, and of one whose tags are found.
-const SORTING: usize = 8;
+/// The units of work of an edge whose tags are found.
 const EDGE: usize = 16;
 
 /// The origins of edges that operations have given, and the tags that they have added.
@@ -45,15 +45,17 @@ impl EdgeOrigins {
         if self.edges.is_empty() && self.vertices.is_empty() {
             return;
         }
-        let numbers: BTreeMap<u32, u32> = before.iter().copied().zip(0..).collect();
-        self.edges.retain_mut(|(ends, _)| match ends.each(|end| numbers.get(&end)) {
+        let mut numbers = vec![UNTRACED; before.iter().max().map_or(0, |most| *most as usize + 1)];
+        before.iter().zip(0..).for_each(|(old, new)| numbers[*old as usize] = new);
+        let number = |old: u32| numbers.get(old as usize).copied().filter(|new| *new != UNTRACED);
+        self.edges.retain_mut(|(ends, _)| match ends.each(number) {
             [Some(a), Some(b)] => {
-                *ends = in_order([*a, *b]);
+                *ends = in_order([a, b]);
                 true
             }
             _ => false,
         });
-        self.vertices.retain_mut(|(point, _)| numbers.get(point).map(|number| *point = *number).is_some());
+        self.vertices.retain_mut(|(point, _)| number(*point).map(|number| *point = number).is_some());
     }
 
     /// The tags of the edges and vertices of a mesh whose points have origins in a source.
@@ -63,10 +65,11 @@ impl EdgeOrigins {
             return SubcomponentTags::default();
         }
         let mut tags = SubcomponentTagsBuilder::default();
-        if !work::spend(SORTING * self.edges.len()) {
+        // Origins of one edge stay in their order.
+        let mut order: Vec<([u32; 2], u32)> = self.edges.iter().map(|entry| entry.0).zip(0..).collect();
+        if !long_sort_by(&mut order, Ord::cmp) {
             return SubcomponentTags::default();
         }
-        self.edges.small_sort_by_key(|entry| entry.0);
         let (own, plain) = (std::mem::take(&mut self.own).into_sets(), TagSet::default());
         let set_of = |source: EdgeSource| match source {
             EdgeSource::Edge(ends) => old.edge(ends),
@@ -80,16 +83,17 @@ impl EdgeOrigins {
             if !work::spend(EDGE) {
                 return SubcomponentTags::default();
             }
-            let from = self.edges.partition_point(|entry| entry.0 < in_order(ends));
-            let given = self.edges[from..].iter().take_while(|entry| entry.0 == in_order(ends));
-            let is_given = given.clone().any(|(_, origin)| !matches!(origin.source, EdgeSource::Own(_)));
+            let from = order.partition_point(|entry| entry.0 < in_order(ends));
+            let given = order[from..].iter().take_while(|entry| entry.0 == in_order(ends));
+            let given = given.map(|entry| &self.edges[entry.1 as usize].1);
+            let is_given = given.clone().any(|origin| !matches!(origin.source, EdgeSource::Own(_)));
             if !is_given
                 && !old.is_empty()
                 && let Some(set) = set_of(implied(ends.each(|end| origins[end as usize])))
             {
                 tags.edge(ends, set);
             }
-            for (_, EdgeOrigin { source, tag }) in given {
+            for EdgeOrigin { source, tag } in given {
                 let set = set_of(*source).unwrap_or(&plain);
                 match tag {
                     Some(tag) => tags.edge(ends, renewed.entry((set, tag)).or_insert_with(|| set.renewed(tag))),
@@ -98,6 +102,9 @@ impl EdgeOrigins {
             }
         }
         for (point, origin) in (0..).zip(origins) {
+            if !work::spend(EDGE) {
+                return SubcomponentTags::default();
+            }
             if let Some(set) = origin.old().and_then(|vertex| old.vertex(vertex)) {
                 tags.vertex(point, set);
             }

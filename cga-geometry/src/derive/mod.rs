@@ -87,12 +87,16 @@ use glam::DVec3;
 
 use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
 pub use crate::origin::PointOrigin;
+use crate::work;
 use edges::EdgeOrigins;
 use faces::FaceTags;
 pub use origin::FaceOrigin;
 pub(crate) use origin::{EdgeOrigin, EdgeSource};
 pub(crate) use values::Mix;
 use values::OldFace;
+
+/// The units of work of a corner whose point gets another number.
+const USE: usize = 2;
 
 /// The number of sets of tags that parts of a mesh share with it, whether their faces have these tags or not.
 const FEW_SETS: usize = 8;
@@ -372,29 +376,49 @@ impl<'s> Derivation<'s> {
         self.made.subcomponent_tags = edges.tags(self.source, &self.made, &self.origins);
     }
 
-    /// The mesh with the points that faces use, in their order.
+    /// The mesh with the points that faces use, in their order; empty if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) is to end.
     pub fn finish_used(mut self) -> Mesh {
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         let before = self.made.number_used();
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         self.renumbered(&before).finish()
     }
 
     /// The same mesh, and the origins of its points, if the source has values, tags or a trace.
     pub fn finish_with_origins(mut self) -> (Mesh, Vec<PointOrigin>) {
+        if !work::spend(USE * self.made.corners.len()) {
+            return (Mesh::default(), Vec::new());
+        }
         let before = self.made.number_used();
-        let made = self.renumbered(&before);
-        let origins = made.origins.clone();
-        (made.finish(), origins)
+        let origins: Vec<PointOrigin> = match self.has_origins {
+            true => before.iter().map(|point| self.origins[*point as usize]).collect(),
+            false => Vec::new(),
+        };
+        (self.renumbered(&before).finish(), origins)
     }
 
-    /// The mesh with its points in the order of their first use; unused ones are dropped.
+    /// The mesh with its points in the order of their first use; unused ones are dropped. It is empty if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) is to end.
     pub fn finish_by_use(mut self) -> Mesh {
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         let before = self.made.number_by_use();
+        if !work::spend(USE * self.made.corners.len()) {
+            return Mesh::default();
+        }
         self.renumbered(&before).finish()
     }
 
     /// The same after points got other numbers. `before` are their old ones.
     fn renumbered(mut self, before: &[u32]) -> Self {
-        if self.has_origins {
+        // Only tags and traces need them from here on.
+        if self.has_origins && (self.tags.is_some() || self.source.needs_origins()) {
             self.origins = before.iter().map(|point| self.origins[*point as usize]).collect();
         }
         if let Some(tags) = &mut self.tags {

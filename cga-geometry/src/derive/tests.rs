@@ -68,15 +68,20 @@ fn values_at_the_middle_of_a_fan_are_mixed_once_and_can_be_stopped() {
         });
         let made = fan(&mesh);
         let _ = work::ask();
-        assert!((count as u64..2 * count as u64).contains(&units.get()), "{} units", units.get());
+        // Each corner also counts where points get their numbers.
+        assert!((count as u64..20 * count as u64).contains(&units.get()), "{} units", units.get());
         assert!(0 < asked.get());
+        if !goes_on {
+            assert!(made.is_empty());
+            continue;
+        }
         let middle = made
             .corners()
             .iter()
             .zip(made.uv_set(0))
             .filter(|(point, _)| made.points()[**point as usize].length() < 1.0);
-        let expected = if goes_on { uv(DVec3::ZERO) } else { uv(places[0]) };
-        assert!(middle.clone().all(|(_, own)| (*own - expected).length() < 1e-9) && middle.count() == count as usize);
+        let is_mean = |own: &DVec2| (*own - uv(DVec3::ZERO)).length() < 1e-9;
+        assert!(middle.clone().all(|(_, own)| is_mean(own)) && middle.count() == count as usize);
     }
 }
 

@@ -26,6 +26,10 @@ use crate::mesh::{FaceRef, FaceTag, FlatFace, Mesh, Tags, unit};
 use crate::nesting::extent::Extent;
 use crate::skeleton::MOST_CORNERS;
 use crate::tol::{PLANAR_EPSILON, TOUCH_EPSILON};
+use crate::work;
+
+/// The units of work of a corner of a face.
+const CORNER: usize = 128;
 
 /// The side of an envelope at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -171,7 +175,8 @@ fn is_tangled(face: &FlatFace<'_>) -> bool {
 /// envelope are copied. They are also listed, by number, with the reason.
 ///
 /// The faces over a face are the bottom, the top, the upright sides in the order of edges, and then the slopes. The time is
-/// quadratic in the number of corners of a face.
+/// quadratic in the number of corners of a face. If the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile, the result
+/// has no meaning.
 ///
 /// # Panics
 /// Panics if the number of sides differs from the number of corners of the mesh.
@@ -196,6 +201,9 @@ pub fn envelopes(
     let mut made = Derivation::new(source, CornerValues::Dropped, 0).without_trace();
     let mut refused = Vec::new();
     for face in source.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            return (Mesh::default(), Vec::new());
+        }
         match envelope(&face, &sides[face.corner_range()], height, up) {
             Ok(volume) => add(&mut made, &face, &volume),
             Err(why) => {

@@ -5,11 +5,17 @@ use crate::buckets::Buckets;
 use crate::each::Each;
 use crate::small_sort::SmallSort;
 
+/// The units of work of a corner.
+const CORNER: usize = 4;
+
+/// The points whose edges are sorted between two counts of work.
+const POINTS: usize = 1024;
+
 /// Adjacency in a mesh. Edges are numbered in the order of the first corner that starts them; a shared edge has one
 /// number. Corners are numbered as in [`Mesh::corners`].
 ///
 /// Its methods panic if a corner, an edge or a point with the number does not exist.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct Adjacency {
     /// The face of each corner.
     faces: Vec<u32>,
@@ -25,8 +31,12 @@ pub struct Adjacency {
 }
 
 impl Adjacency {
-    pub(super) fn of(mesh: &Mesh) -> Self {
+    /// `None` if the work is to end: `spend` counts units of work, and returns false then.
+    pub(super) fn of(mesh: &Mesh, spend: impl Fn(usize) -> bool) -> Option<Self> {
         let corners = mesh.corners.len();
+        if !spend(CORNER * corners) {
+            return None;
+        }
         let [mut faces, mut next, mut before] = [(); 3].each(|()| Vec::with_capacity(corners));
         for face in mesh.faces() {
             for ring in face.loop_ranges() {
@@ -36,10 +46,13 @@ impl Adjacency {
             }
         }
         let at = Buckets::by(mesh.points.len(), mesh.corners.iter().copied());
-        let edges = number_edges(mesh, &next);
+        if !spend(CORNER * corners) {
+            return None;
+        }
+        let edges = number_edges(mesh, &next, &spend)?;
         let count = edges.iter().max().map_or(0, |&last| last as usize + 1);
         let uses = Buckets::by(count, edges.iter().copied());
-        Adjacency { faces, next, before, edges, uses, at }
+        Some(Adjacency { faces, next, before, edges, uses, at })
     }
 
     /// The number of edges. A shared edge counts once.
@@ -101,7 +114,7 @@ impl Adjacency {
 
 /// For each corner the number of the edge that starts there. Edges are grouped by their lower point, then by the other
 /// point.
-fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
+fn number_edges(mesh: &Mesh, next: &[u32], spend: &impl Fn(usize) -> bool) -> Option<Vec<u32>> {
     let ends = |corner: u32| {
         let [a, b] = [corner, next[corner as usize]].each(|corner| mesh.corners[corner as usize]);
         (a.min(b), a.max(b))
@@ -110,6 +123,9 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
     // The first corner that starts the same edge.
     let mut first: Vec<u32> = vec![0; next.len()];
     for point in 0..mesh.points.len() {
+        if point % POINTS == 0 && !spend(CORNER * POINTS) {
+            return None;
+        }
         let range = around.range(point);
         let here = &mut around.items[range];
         // Usually few corners are at a point, but in a fan there are many, so they are sorted.
@@ -117,6 +133,9 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
         for same in here.chunk_by(|&a, &b| ends(a).1 == ends(b).1) {
             same.iter().for_each(|&corner| first[corner as usize] = same[0]);
         }
+    }
+    if !spend(CORNER * first.len()) {
+        return None;
     }
     let mut count = 0;
     for corner in 0..first.len() {
@@ -128,7 +147,7 @@ fn number_edges(mesh: &Mesh, next: &[u32]) -> Vec<u32> {
             first[first[corner] as usize]
         };
     }
-    first
+    Some(first)
 }
 
 #[cfg(test)]

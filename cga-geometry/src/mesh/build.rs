@@ -12,6 +12,11 @@ use super::numbering::keep_used;
 use super::weld::weld;
 use super::{FaceTag, Materials, Mesh, MeshError, SubcomponentTagsBuilder, TagSet, UvSets};
 use crate::trace::UNTRACED;
+use crate::work;
+
+/// The units of work of a corner that is checked or copied, and of a point that is compared.
+const CHECKING: usize = 4;
+const WELDING: usize = 8;
 
 /// Takes points and faces and makes a checked [`Mesh`].
 ///
@@ -150,7 +155,23 @@ impl MeshBuilder {
     /// An error if a coordinate is not finite, if an index, a tag or a texture set is out of range, or if a loop has
     /// fewer than three corners.
     pub fn build(self) -> Result<Mesh, MeshError> {
+        Ok(self.build_by(|_| true)?.unwrap_or_default())
+    }
+
+    /// [`build`](Self::build). `None` if the work is to end.
+    pub(crate) fn build_in_time(self) -> Result<Option<Mesh>, MeshError> {
+        self.build_by(work::spend)
+    }
+
+    /// Makes the mesh. `None` if the work is to end: `spend` counts units of work, and returns false then.
+    fn build_by(self, spend: impl Fn(usize) -> bool) -> Result<Option<Mesh>, MeshError> {
+        if !spend(CHECKING * self.given.corners.len()) {
+            return Ok(None);
+        }
         self.check()?;
+        if !spend(WELDING * self.given.points.len()) {
+            return Ok(None);
+        }
         let MeshBuilder { mut given, uv_faces, normal_faces, tagger, .. } = self;
         let (faces, corners) = (given.face_count(), given.corners.len());
         for (set, with_values) in uv_faces.into_iter().enumerate() {
@@ -165,6 +186,9 @@ impl MeshBuilder {
         let same = weld(&given.points);
         let mut mesh = given.alike(corners);
         for face in given.faces() {
+            if !spend(CHECKING * face.corner_count()) {
+                return Ok(None);
+            }
             let first_loop = mesh.loop_ends.len();
             for ring in face.loop_ranges() {
                 let start = mesh.corners.len();
@@ -196,7 +220,7 @@ impl MeshBuilder {
             mesh.subcomponent_tags = welded.finish();
             mesh.renumber_tags(&before);
         }
-        Ok(mesh.checked())
+        Ok(Some(mesh.checked()))
     }
 
     fn check(&self) -> Result<(), MeshError> {

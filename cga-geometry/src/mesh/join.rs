@@ -5,13 +5,18 @@ use glam::{DVec2, DVec3};
 use super::distinct::Distinct;
 use super::materials::Materials;
 use super::{FaceTag, Mesh, SubcomponentTagsBuilder, UvSets};
+use crate::work;
+
+/// The units of work of a mesh besides its corners.
+const MESH: usize = 128;
 
 fn renumbered(index: u32, numbers: &[u32]) -> u32 {
     numbers.get(index as usize).copied().unwrap_or(FaceTag::NONE)
 }
 
 /// The faces of all meshes, in order; no points are merged. A mesh without a texture set that another one has gets
-/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction.
+/// coordinates 0 there, and a mesh without normals gets the normals of its faces. Bent faces have one direction. Empty if the work of a
+/// [`Supervisor`](crate::work::Supervisor) ends meanwhile.
 pub fn join<'m>(meshes: impl Iterator<Item = &'m Mesh>) -> Mesh {
     join_all(&meshes.collect::<Vec<_>>())
 }
@@ -25,6 +30,9 @@ fn join_all(meshes: &[&Mesh]) -> Mesh {
     let has_normals = meshes.iter().any(|mesh| !mesh.normals.is_empty());
     let (mut sum, mut tagger) = (Mesh::default(), SubcomponentTagsBuilder::default());
     for (mesh, materials) in meshes.iter().zip(&material_numbers) {
+        if !work::spend(MESH + mesh.corners.len()) {
+            return Mesh::default();
+        }
         let [groups, tag_sets] = [groups.numbers(&mesh.groups), tag_sets.numbers(&mesh.tag_sets)];
         let (points, corners) = (sum.points.len() as u32, sum.corners.len() as u32);
         tagger.append(&mesh.subcomponent_tags, &|point| points + point);

@@ -6,6 +6,10 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use super::{Derived, FaceTag, Materials, Mesh};
 use crate::vector::unit;
+use crate::work;
+
+/// The units of work of a corner of a loop that is turned over.
+const TURNING: usize = 2;
 
 /// The map of normals that matches the winding: it maps `a × b` to `(m·a) × (m·b)`, also if `m` mirrors. Unlike the
 /// inverse it exists for flat maps too.
@@ -56,17 +60,27 @@ impl Mesh {
         Mesh { points, normals: self.normals.clone(), derived: self.derived.of_moved(), ..self.clone_structure() }
     }
 
-    /// The mesh with every face reversed. The first edge stays: its two corners are swapped and come first again.
+    /// The mesh with every face reversed. The first edge stays: its two corners are swapped and come first again. The mesh is empty if
+    /// the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn reversed(&self) -> Mesh {
-        Mesh { derived: Derived { adjacency: OnceLock::new(), ..self.derived.clone() }, ..self.turned(|_| true) }
+        let turned = self.turned(|_| true);
+        // A mesh that was ended early has other properties.
+        if turned.is_empty() {
+            return turned;
+        }
+        Mesh { derived: Derived { adjacency: OnceLock::new(), ..self.derived.clone() }, ..turned }
     }
 
-    /// The mesh with some faces reversed in that way. `is_turned` is called with the number of each face.
+    /// The mesh with some faces reversed in that way. `is_turned` is called with the number of each face. The mesh is empty if the work
+    /// of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn turned(&self, is_turned: impl Fn(usize) -> bool) -> Mesh {
         let bounds = self.derived.bounds.clone();
         let mut mesh = Mesh { derived: Derived { bounds, ..Derived::default() }, ..self.clone() };
         let rings = self.faces().filter(|face| is_turned(face.index())).flat_map(|face| face.loop_ranges());
         for ring in rings {
+            if !work::spend(TURNING * ring.len()) {
+                return Mesh::default();
+            }
             flip(&mut mesh.corners[ring.clone()]);
             mesh.uvs.change(ring.clone(), flip);
             if !mesh.normals.is_empty() {

@@ -3,13 +3,16 @@
 use glam::DVec3;
 
 use super::pair_table::PairTable;
-use super::{Bounds, Mesh};
+use super::{Bounds, FaceRef, Mesh};
 use crate::each::Each;
 use crate::tol::VOLUME_EPSILON;
 use crate::work;
 
 /// The units of work of counting an edge.
 const EDGE: usize = 16;
+
+/// The units of work of a corner for the normal of its face.
+const NORMAL: usize = 4;
 
 /// The corners of one loop that are counted at once.
 const CORNERS_A_QUESTION: usize = 4096;
@@ -57,6 +60,12 @@ impl Mesh {
             }
         }
         Some(net.pairs().all(|(_, count)| count == 0))
+    }
+
+    /// The normal of each face. `None` if the work is to end.
+    pub(crate) fn face_normals_in_time(&self) -> Option<Vec<DVec3>> {
+        let normal = |face: FaceRef<'_>| work::spend(NORMAL * face.corner_count()).then(|| face.normal());
+        self.faces().map(normal).collect()
     }
 
     /// The area of all faces, in square metres.
@@ -140,7 +149,7 @@ mod tests {
             assert_eq!((mesh.whether_closed(), asked.get()), (None, 2));
             let joined = join([&mesh, &mesh].into_iter());
             drop(supervisor);
-            assert_eq!((mesh.is_closed(), joined.is_closed()), (is_closed, is_closed));
+            assert_eq!((mesh.is_closed(), joined.is_empty()), (is_closed, true));
         }
     }
 }

@@ -47,6 +47,7 @@ use glam::{DVec2, DVec3};
 use crate::each::Each;
 use crate::origin::PointOrigin;
 use crate::trace::Trace;
+use crate::work;
 
 pub use crate::bounds::Bounds;
 pub use crate::vector::unit;
@@ -245,7 +246,21 @@ impl Mesh {
 
     /// The adjacency of faces, edges and points. It is computed at the first call, in time `n log n` for `n` corners at most.
     pub fn adjacency(&self) -> &Arc<Adjacency> {
-        self.derived.adjacency.get_or_init(|| Arc::new(Adjacency::of(self)))
+        let all = |units: usize| {
+            // The caller needs the whole adjacency, so that a stop only counts after it.
+            let _ = work::spend(units);
+            true
+        };
+        self.derived.adjacency.get_or_init(|| Arc::new(Adjacency::of(self, all).unwrap_or_default()))
+    }
+
+    /// [`adjacency`](Self::adjacency). `None` if the work of a [`Supervisor`](crate::work::Supervisor) ends before all edges are known.
+    pub fn adjacency_in_time(&self) -> Option<&Arc<Adjacency>> {
+        if self.derived.adjacency.get().is_none() {
+            let adjacency = Arc::new(Adjacency::of(self, work::spend)?);
+            let _ = self.derived.adjacency.set(adjacency);
+        }
+        Some(self.adjacency())
     }
 
     /// The positions of the start and the end of an edge of the adjacency, in the direction of the first face that has it.

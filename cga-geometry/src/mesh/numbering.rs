@@ -4,6 +4,10 @@ use glam::DVec3;
 
 use super::Mesh;
 use crate::origin::PointOrigin;
+use crate::work;
+
+/// The corners that are numbered between two counts of work.
+const PART: usize = 1 << 14;
 
 /// The points that corners use, in their old order. Renumbers the corners; -0 becomes 0.
 pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
@@ -26,16 +30,21 @@ pub(crate) fn keep_used(points: &[DVec3], corners: &mut [u32]) -> Vec<DVec3> {
 
 impl Mesh {
     /// Drops unused points, and numbers the others in the order of their first use; -0 becomes 0. Returns their numbers before.
-    /// For meshes without traces and tags of edges and vertices.
+    /// For meshes without traces and tags of edges and vertices. If the work is to end, the mesh and the numbers have no meaning.
     pub(crate) fn number_by_use(&mut self) -> Vec<u32> {
         let (mut new, mut before) = (vec![u32::MAX; self.points.len()], Vec::with_capacity(self.points.len()));
-        for corner in &mut self.corners {
-            let number = &mut new[*corner as usize];
-            if *number == u32::MAX {
-                *number = before.len() as u32;
-                before.push(*corner);
+        for part in self.corners.chunks_mut(PART) {
+            if !work::spend(part.len()) {
+                break;
             }
-            *corner = *number;
+            for corner in part {
+                let number = &mut new[*corner as usize];
+                if *number == u32::MAX {
+                    *number = before.len() as u32;
+                    before.push(*corner);
+                }
+                *corner = *number;
+            }
         }
         self.points = before.iter().map(|point| self.points[*point as usize] + 0.0).collect();
         before

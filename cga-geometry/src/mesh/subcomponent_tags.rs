@@ -7,9 +7,13 @@ use std::sync::Arc;
 
 use super::tag::{TagSet, TagSetTable, TaggedComponents};
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::origin::PointOrigin;
-use crate::small_sort::SmallSort;
 use crate::trace::UNTRACED;
+use crate::work;
+
+/// The units of work of an edge whose tags are found.
+const FINDING: usize = 8;
 
 /// The tags of the edges and vertices of a mesh or a wire, by the numbers of its points.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -92,7 +96,7 @@ impl SubcomponentTags {
 
     /// The tags of a part whose points have origins in the mesh with these tags. The part has the given edges, each at
     /// least once, and `points` points. Parts of an edge have the tags of the edge. Other new edges and new vertices
-    /// have none.
+    /// have none. Some are missing if the work is to end.
     pub(crate) fn carried(
         &self,
         edges: &mut dyn Iterator<Item = [u32; 2]>,
@@ -100,33 +104,39 @@ impl SubcomponentTags {
         origin: &dyn Fn(u32) -> PointOrigin,
     ) -> Self {
         let Some(lists) = &self.0 else { return SubcomponentTags::default() };
-        let of_edge = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(origin))?)?));
+        let set_of = |ends: [u32; 2]| Some((in_order(ends), self.edge_set(whole_edge(ends.each(origin))?)?));
+        let of_edge = |ends: [u32; 2]| if work::spend(FINDING) { set_of(ends) } else { None };
         let mut found: Vec<_> = if lists.edges.is_empty() { Vec::new() } else { edges.filter_map(of_edge).collect() };
-        found.small_sort();
+        if !long_sort_by(&mut found, Ord::cmp) {
+            return SubcomponentTags::default();
+        }
         found.dedup();
         let of_vertex = |point: u32| Some((point, self.vertex_set(origin(point).old()?)?));
         let points = if lists.vertices.is_empty() { 0 } else { points as u32 };
         SubcomponentTags::of(lists.sets.clone(), found, (0..points).filter_map(of_vertex).collect())
     }
 
-    /// These tags, and one more on each of the edges.
+    /// These tags, and one more on each of the edges. No tags if the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn with_edges(&self, edges: impl Iterator<Item = [u32; 2]>, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let mut edges: Vec<[u32; 2]> = edges.map(in_order).collect();
-        edges.small_sort();
+        if !long_sort_by(&mut edges, Ord::cmp) {
+            return SubcomponentTags::default();
+        }
         edges.dedup();
         let own = TagSet::new([name]);
-        edges.into_iter().for_each(|edge| tagger.edge(edge, &own));
+        edges.into_iter().take_while(|_| work::spend(FINDING)).for_each(|edge| tagger.edge(edge, &own));
         tagger.finish()
     }
 
-    /// These tags, and one more on each of the first `points` vertices.
+    /// These tags, and one more on each of the first `points` vertices. No tags if the work of a
+    /// [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn with_vertices(&self, points: usize, name: &str) -> Self {
         let mut tagger = SubcomponentTagsBuilder::default();
         tagger.append(self, &|point| point);
         let own = TagSet::new([name]);
-        (0..points as u32).for_each(|point| tagger.vertex(point, &own));
+        (0..points as u32).take_while(|_| work::spend(FINDING)).for_each(|point| tagger.vertex(point, &own));
         tagger.finish()
     }
 
@@ -223,17 +233,20 @@ impl SubcomponentTagsBuilder {
         self.vertices.extend(lists.vertices.iter().map(|&(point, set)| (new(point), number(set))));
     }
 
-    /// The tags.
+    /// The tags; none if the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
     pub fn finish(self) -> SubcomponentTags {
         let SubcomponentTagsBuilder { mut sets, edges, vertices } = self;
-        let (edges, vertices) = (united(edges, &mut sets), united(vertices, &mut sets));
+        let united = (united(edges, &mut sets), united(vertices, &mut sets));
+        let (Some(edges), Some(vertices)) = united else { return SubcomponentTags::default() };
         SubcomponentTags::of(sets.into_sets(), edges, vertices)
     }
 }
 
-/// The list sorted, with one element for each key.
-fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Vec<(K, u32)> {
-    list.small_sort();
+/// The list sorted, with one element for each key. `None` if the work is to end.
+fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Option<Vec<(K, u32)>> {
+    if !long_sort_by(&mut list, Ord::cmp) {
+        return None;
+    }
     list.dedup();
     list.dedup_by(|next, kept| {
         let same = next.0 == kept.0;
@@ -242,7 +255,7 @@ fn united<K: Ord + Copy>(mut list: Vec<(K, u32)>, sets: &mut TagSetTable) -> Vec
         }
         same
     });
-    list
+    Some(list)
 }
 
 #[cfg(test)]

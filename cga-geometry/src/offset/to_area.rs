@@ -49,7 +49,7 @@ impl std::iter::Sum for Rest {
 }
 
 /// The smallest offset, up to `most`, that leaves at most an area. 0 if already no offset leaves less, and `most` if it
-/// leaves more.
+/// leaves more. Any offset if the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile.
 pub fn offset_for(area: f64, most: f64, left: impl Fn(f64) -> Rest) -> f64 {
     let (mut at, mut rest) = (0.0, left(0.0));
     if rest.area <= area {
@@ -61,6 +61,9 @@ pub fn offset_for(area: f64, most: f64, left: impl Fn(f64) -> Rest) -> f64 {
     let (mut low, mut high) = (0.0, most);
     let mut last = f64::INFINITY;
     for _ in 0..STEPS {
+        if !work::spend(0) {
+            break;
+        }
         let over = rest.area - area;
         if over.abs() <= AREA_EPSILON * area {
             break;

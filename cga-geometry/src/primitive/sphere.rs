@@ -5,11 +5,16 @@ use glam::{DVec2, DVec3};
 use super::{FaceBuilder, circle};
 use crate::each::Each;
 use crate::mesh::Mesh;
+use crate::work;
+
+/// The units of work of a face.
+const FACE: usize = 16;
 
 /// A closed sphere with its poles on the vertical through the centre: `divisions` rows of `sides` faces from the bottom
 /// up, each row counter-clockwise as seen from above, with triangles at the poles. The minimum is three sides and two
 /// divisions. Around the sphere u goes once from 0 to 1, and v goes from pole to pole in
-/// equal steps. Each triangle has its pole in the middle of its range of u.
+/// equal steps. Each triangle has its pole in the middle of its range of u. If the work of a
+/// [`Supervisor`](crate::work::Supervisor) ends meanwhile, the mesh is empty.
 pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     let sides = circle::sides(sides);
     let divisions = divisions.clamp(2, (1 << 22) / sides);
@@ -25,6 +30,9 @@ pub fn sphere(sides: usize, divisions: usize) -> Mesh {
     let at = |row: usize, i: usize| 1 + (row - 1) * sides + i % sides;
     let uv = |row: usize, i: f64| DVec2::new(i / sides as f64, row as f64 / divisions as f64);
     for row in 0..divisions {
+        if !work::spend(FACE * sides) {
+            return Mesh::default();
+        }
         for i in 0..sides {
             let [left, middle, right] = [0.0, 0.5, 1.0].each(|part| i as f64 + part);
             let lower = [(row, left, i), (row, right, i + 1)];

@@ -10,6 +10,10 @@ use crate::mesh::{FaceRef, FlatFace, Mesh, flip, unit};
 use crate::skeleton::{SkeletonError, any_cross};
 use crate::tol::{TOUCH_EPSILON, UP_EPSILON};
 use crate::triangulate::highest;
+use crate::work;
+
+/// The units of work of a corner of a face.
+const CORNER: usize = 128;
 
 /// The reason why a face has no roof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +40,8 @@ pub struct Roofs {
 /// Builds a roof over each face: the faces of the roof in the order of edges, then the face itself, turned over, as the bottom.
 /// Faces that cannot have a roof are copied unchanged, and are listed with the reason.
 ///
-/// The time is quadratic in the number of corners of a face.
+/// The time is quadratic in the number of corners of a face. If the work of a [`Supervisor`](crate::work::Supervisor) ends meanwhile,
+/// the mesh and the lists have no meaning.
 ///
 /// ```
 /// use cga_geometry::primitive;
@@ -53,6 +58,9 @@ pub fn roof_over(source: &Mesh, form: RoofForm, rise: Rise) -> Roofs {
     let mut bent = source.bent;
     let (mut refused, mut without_overhangs) = (Vec::new(), Vec::new());
     for face in source.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            break;
+        }
         match add_roof(&face, form, rise, &mut made, &mut bent) {
             Ok(true) => {}
             Ok(false) => without_overhangs.push(face.index()),

@@ -8,7 +8,7 @@
 mod bell;
 mod solid;
 
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
 use glam::DVec3;
@@ -17,6 +17,7 @@ pub use bell::Bell;
 use solid::Solid;
 
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, unit};
 use crate::triangulate::Triangulator;
 use crate::work;
@@ -47,6 +48,9 @@ const MOST_MISSES: [u64; 2] = [200, 100_000];
 /// The units of work that halving a cell and drawing a point take, besides triangles.
 const HALVING: usize = 64;
 const DRAWING: usize = 32;
+
+/// The units of work of a corner whose face is triangulated.
+const TRIANGLE: usize = 16;
 
 /// A part of the domain.
 #[derive(Debug)]
@@ -149,7 +153,8 @@ pub struct Domain {
 impl Domain {
     /// The faces of a mesh, for `count` points.
     pub fn surface(mesh: &Mesh, bell: Bell, count: u64) -> Self {
-        let cells = triangles(mesh).into_iter().filter_map(|(corners, normal)| triangle(corners, normal, &bell));
+        let cell = |(corners, normal)| if work::spend(HALVING) { triangle(corners, normal, &bell) } else { None };
+        let cells = triangles(mesh).into_iter().filter_map(cell);
         Domain::of(cells.collect(), bell, None, count)
     }
 
@@ -175,9 +180,7 @@ impl Domain {
             if !work::spend(HALVING * first.len()) {
                 first.clear();
             }
-            // The order in which the heap would give them.
-            first.sort_unstable_by(|a, b| b.cmp(a));
-            return Domain::divided(first, bell, solid, count);
+            return Domain::divided(from_largest(first), bell, solid, count);
         }
         let mut heap = BinaryHeap::from(first);
         let mut cells = Vec::new();
@@ -261,10 +264,24 @@ impl Domain {
     }
 }
 
-/// The triangles of all faces, with their normals.
+/// The cells in the order in which a heap would give them; none if the work is to end.
+fn from_largest(cells: Vec<DensityCell>) -> Vec<DensityCell> {
+    let mut order: Vec<(Reverse<i64>, u64, usize)> =
+        cells.iter().enumerate().map(|(at, cell)| (Reverse(cell.step), cell.number, at)).collect();
+    if !long_sort_by(&mut order, Ord::cmp) {
+        return Vec::new();
+    }
+    let mut cells: Vec<Option<DensityCell>> = cells.into_iter().map(Some).collect();
+    order.into_iter().filter_map(|(_, _, at)| cells[at].take()).collect()
+}
+
+/// The triangles of all faces, with their normals. Some are missing if the work is to end.
 fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
     let (mut triangulator, mut list, mut all) = (Triangulator::new(), Vec::new(), Vec::new());
     for face in mesh.faces() {
+        if !work::spend(TRIANGLE * face.corner_count()) {
+            break;
+        }
         list.clear();
         triangulator.steady_face(mesh, face.index(), &mut list);
         let normal = unit(face.normal());

@@ -10,6 +10,9 @@ use crate::work;
 /// The most columns along an axis.
 const MOST_COLUMNS: usize = 256;
 
+/// The triangles that are tested between two counts of work.
+const PART: usize = 4096;
+
 /// The most columns of a triangle on average, and the units of work of each.
 const MOST_OF_ONE: usize = 16;
 const COLUMN: usize = 4;
@@ -39,7 +42,8 @@ impl Solid {
                 let [first, last] = solid.columns_of(triangle);
                 (last[0] - first[0] + 1) * (last[1] - first[1] + 1)
             };
-            let all: usize = solid.triangles.iter().map(count).sum();
+            let parts = solid.triangles.chunks(PART).take_while(|part| work::spend(2 * part.len()));
+            let all: usize = parts.flatten().map(count).sum();
             // Long triangles across the columns are in many of them.
             if solid.columns == 1 || all <= MOST_OF_ONE * solid.triangles.len() {
                 break;
@@ -94,9 +98,11 @@ impl Solid {
         parts.sum::<i32>() != 0
     }
 
-    /// The triangles of a list that may come into a box.
+    /// The triangles of a list that may come into a box. Some are missing if the work is to end.
     pub(super) fn crossing(&self, list: &[u32], low: DVec3, high: DVec3) -> Vec<u32> {
-        list.iter().copied().filter(|&number| may_cross(&self.triangles[number as usize], low, high)).collect()
+        let may_cross = |&number: &u32| may_cross(&self.triangles[number as usize], low, high);
+        let parts = list.chunks(PART).take_while(|part| work::spend(2 * part.len()));
+        parts.flatten().copied().filter(may_cross).collect()
     }
 }
 

@@ -24,6 +24,7 @@ use std::sync::Arc;
 
 use crate::fault::FaultKind;
 use crate::geometry::Frame;
+use crate::geometry::work;
 use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
@@ -52,6 +53,10 @@ use owners::ArmOwners;
 use part::ComponentPart;
 use select::Word;
 use source::{ComponentSource, Quads};
+
+/// The components of a box, which do not count as work, and the units of work of another component.
+const SIDES: usize = 6;
+const COMPONENT: usize = 16;
 
 /// The kind of components (*comp operation*).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -236,6 +241,9 @@ impl<'s> AssignedComponents<'s> {
         let looks = Orientation::of(env, parent);
         let mut as_roof = Vec::new();
         let owners = ArmOwners::choose(source.len(), |number| {
+            if SIDES <= number && !work::spend(COMPONENT) {
+                return None;
+            }
             let mut candidate = Candidate::new(&source, &looks, parent, number);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
                 candidate.as_roof = false;

@@ -4,6 +4,10 @@ use std::collections::HashMap;
 
 use super::source::ComponentSource;
 use crate::geometry::disjoint::DisjointSets;
+use crate::geometry::work;
+
+/// The units of work of a component whose neighbours are found.
+const BOND: usize = 32;
 
 /// The arm of each component. Up to six components need no allocation: `comp` of a box is the façade path.
 #[derive(Debug)]
@@ -50,13 +54,16 @@ impl ArmOwners {
     }
 }
 
-/// The sets of connected components, in the order of their first components (*comp operation*, `=:`).
+/// The sets of connected components, in the order of their first components (*comp operation*, `=:`). None if the work is to end.
 pub(super) fn connected(source: &ComponentSource, components: impl Iterator<Item = u32>) -> Vec<Vec<u32>> {
     let components: Vec<u32> = components.collect();
     // The first component for each bond.
     let mut first: HashMap<u32, u32> = HashMap::new();
     let mut sets = DisjointSets::new(components.len());
     for (&component, index) in components.iter().zip(0..) {
+        if !work::spend(BOND) {
+            return Vec::new();
+        }
         source.bonds(component as usize, |bond| sets.unite(*first.entry(bond).or_insert(index), index));
     }
     let members = |set: Vec<u32>| set.into_iter().map(|index| components[index as usize]).collect();

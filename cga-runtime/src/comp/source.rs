@@ -48,7 +48,9 @@ impl ComponentSource {
         if let Geometry::Mesh(placed) = &shape.geometry {
             // Computed on the mesh itself, the adjacency is available to all its copies.
             let alone = components == Components::Faces && arms.iter().all(|arm| arm.looks_only());
-            (!alone).then(|| placed.mesh.adjacency());
+            if !alone && placed.mesh.adjacency_in_time().is_none() {
+                env.spend(0)?;
+            }
         }
         // Components inherit the implicit texture coordinates of the shape.
         let mesh = shape.own_mesh();

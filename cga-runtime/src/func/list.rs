@@ -5,10 +5,14 @@
 //! matches anything.
 
 use super::whole;
+use crate::geometry::work;
 use crate::run::env::Env;
 use crate::shape::view::View;
 use crate::value::array::{Array, Element};
 use crate::value::text::Text;
+
+/// The units of work of an item, besides its bytes.
+const ITEM: usize = 4;
 
 fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
     list.split(';').filter(|item| !item.is_empty())
@@ -18,6 +22,10 @@ fn items(list: &str) -> impl Iterator<Item = &str> + Clone {
 fn list_of<'t>(env: &mut Env, items: impl Iterator<Item = &'t str>) -> Text {
     let mut list = String::new();
     for item in items {
+        // The check below ends the run.
+        if !work::spend(ITEM + item.len()) {
+            break;
+        }
         list.push_str(item);
         list.push(';');
     }

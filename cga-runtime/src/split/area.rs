@@ -4,10 +4,15 @@ use glam::DVec3;
 
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
+use crate::geometry::long_sort::long_sort_by;
 use crate::geometry::mesh::FaceRef;
-use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::{ACROSS_EPSILON, AREA_EPSILON, EDGE_EPSILON};
+use crate::geometry::work;
 use crate::shape::{Geometry, Placed, Shape};
+
+/// The units of work of a corner, and of a change of the width.
+const CORNER: usize = 16;
+const CHANGE: usize = 8;
 
 /// The area up to a distance from the scope's low end, as a function of the distance.
 #[derive(Debug)]
@@ -87,10 +92,13 @@ impl Profile {
 #[derive(Clone, Copy)]
 struct WidthChange {
     at: f64,
+    /// Its number: changes at one place are added in their order.
+    number: u32,
     width: f64,
     growth: f64,
 }
 
+/// The sections of a mesh; none if the work is to end.
 fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let stretch = placed.stretch(size).abs();
     // Edges without an extent along the axis, except for rounding.
@@ -99,13 +107,21 @@ fn sections(placed: &Placed, size: DVec3, axis: Axis) -> Vec<WidthSection> {
     let base = (placed.low * stretch)[axis.index()];
     let mut events = Vec::new();
     for face in placed.mesh.faces() {
+        if !work::spend(CORNER * face.corner_count()) {
+            return Vec::new();
+        }
         add_face(&face, stretch, (axis, base, across), &mut events);
     }
-    events.small_sort_by(|a, b| a.at.total_cmp(&b.at));
+    if !long_sort_by(&mut events, |a, b| a.at.total_cmp(&b.at).then(a.number.cmp(&b.number))) {
+        return Vec::new();
+    }
     let mut list: Vec<WidthSection> = Vec::new();
     let (mut width, mut growth, mut area) =
         (CompensatedSum::default(), CompensatedSum::default(), CompensatedSum::default());
     for (index, event) in events.iter().enumerate() {
+        if !work::spend(CHANGE) {
+            return Vec::new();
+        }
         // The width at the event, and the area between it and the previous one.
         if let Some(before) = index.checked_sub(1).map(|index| events[index]) {
             let step = event.at - before.at;
@@ -176,8 +192,9 @@ fn add_face(face: &FaceRef<'_>, stretch: DVec3, (axis, base, least): (Axis, f64,
             let width = |point: DVec3| sign * across.dot(point - origin) / slant;
             let (first, last) = (width(low), width(high));
             let growth = (last - first) / length;
-            events.push(WidthChange { at: low[at] - base, width: first, growth });
-            events.push(WidthChange { at: high[at] - base, width: -last, growth: -growth });
+            let number = events.len() as u32;
+            events.push(WidthChange { at: low[at] - base, number, width: first, growth });
+            events.push(WidthChange { at: high[at] - base, number: number + 1, width: -last, growth: -growth });
         }
     }
 }

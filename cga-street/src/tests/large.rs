@@ -20,11 +20,11 @@ fn doubled_lines_count_once() {
 fn segments_that_cross_too_often_are_an_error() {
     let fan: Vec<[Point; 2]> =
         (0..300).map(|at| [Point { x: 2 * at, y: 0 }, Point { x: 601 - 2 * at, y: 1000 }]).collect();
-    assert!(divide(&fan, 50_000).is_some());
-    assert!(divide(&fan, 5_000).is_none());
+    assert!(divide(&fan, 50_000).is_ok());
+    assert!(divide(&fan, 5_000).is_err());
     // 1,000 segments on one line do not cross, and are compared 1,000,000 times.
     let line: Vec<[Point; 2]> = (0..1000).map(|at| [Point { x: at, y: 0 }, Point { x: 10_000 - at, y: 0 }]).collect();
-    assert!(divide(&line, 1_000).is_none());
+    assert!(divide(&line, 1_000).is_err());
 }
 
 #[test]
@@ -34,14 +34,74 @@ fn borders_with_too_many_edges_are_an_error() {
     assert_eq!(made.err(), Some(StreetError::TooLarge { most: 10_000_000 }));
 }
 
+/// The borders of 2,000 arms would cross 8 million times.
+#[test]
+fn very_many_streets_at_one_point_are_an_error() {
+    let fan = |count: usize| -> Vec<Centerline> {
+        let angle = |at: usize| std::f64::consts::PI * at as f64 / count as f64;
+        let line = |at: usize| (libm::sin(angle(at)) * 100.0, libm::cos(angle(at)) * 100.0);
+        (0..count).map(line).map(|(x, z)| Centerline::new(&[[5.0 - x, 7.0 - z], [5.0 + x, 7.0 + z]])).collect()
+    };
+    let options = NetworkOptions::default();
+    let Err(StreetError::TooManyArms { point: [x, z], most: 256 }) = Network::new(&fan(1000), &options) else {
+        panic!("2,000 arms");
+    };
+    assert!((x - 5.0).abs() < 1e-6 && (z - 7.0).abs() < 1e-6, "{x} {z}");
+    assert!(Network::new(&fan(12), &options).is_ok());
+}
+
+/// Faces in the middle of polygons that lie over each other are covered by all of them.
+#[test]
+fn very_many_polygons_over_each_other_are_an_error() {
+    let nested = |at: i64| {
+        let (low, high) = (at, 1_000_000 - at);
+        [[low, low], [high, low], [high, high], [low, high]].map(|[x, y]| Point { x, y }).into()
+    };
+    let squares: Vec<Vec<Point>> = (0..200).map(nested).collect();
+    assert!(Subdivision::within(&squares, 50_000).is_ok());
+    let dense = Subdivision::within(&squares, 10_000);
+    assert_eq!(dense.err(), Some(StreetError::TooDense { most: MOST_CROSSINGS }));
+}
+
+/// A watch that is stopped at the question with a number.
+fn stopped_at(last: u64) -> (Watch, std::sync::Arc<std::sync::atomic::AtomicU64>) {
+    use std::sync::atomic::{AtomicU64, Ordering};
+    use std::time::Duration;
+    let count = std::sync::Arc::new(AtomicU64::new(0));
+    let seen = count.clone();
+    let clock = move || if seen.fetch_add(1, Ordering::Relaxed) <= last { Duration::ZERO } else { Duration::MAX };
+    (Watch::deadline_by(Duration::from_secs(1), clock), count)
+}
+
+#[test]
+fn a_layout_can_be_stopped_at_any_question() {
+    let town: Vec<Centerline> = (0..40)
+        .flat_map(|at| {
+            let at = f64::from(at) * 60.0;
+            [Centerline::new(&[[at, -30.0], [at, 2400.0]]), Centerline::new(&[[-30.0, at], [2400.0, at]])]
+        })
+        .collect();
+    let options = NetworkOptions::default();
+    let (watch, count) = stopped_at(u64::MAX);
+    let whole = Network::with_watch(&town, &options, &watch).unwrap();
+    let questions = count.load(std::sync::atomic::Ordering::Relaxed);
+    // About 30,000 corners.
+    assert!(200 < questions, "{questions} questions");
+    assert_eq!(Network::new(&town, &options), Ok(whole));
+    for last in [1, questions / 4, questions / 2, questions * 3 / 4, questions - 2] {
+        let stopped = Network::with_watch(&town, &options, &stopped_at(last).0);
+        assert_eq!(stopped, Err(StreetError::Stopped), "{last} of {questions}");
+    }
+}
+
 /// Segments on one line divide each other without a crossing: 300 of them have 45,000 parts.
 #[test]
 fn segments_on_one_line_with_too_many_parts_are_an_error() {
     let line = |count: i64| -> Vec<[Point; 2]> {
         (0..count).map(|at| [Point { x: at, y: 0 }, Point { x: 10_000 - at, y: 0 }]).collect()
     };
-    assert!(divide(&line(300), 20_000).is_some());
-    assert!(divide(&line(300), 2_000).is_none());
+    assert!(divide(&line(300), 20_000).is_ok());
+    assert!(divide(&line(300), 2_000).is_err());
 }
 
 /// Comparing all components with each other would take minutes.

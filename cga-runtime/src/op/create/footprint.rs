@@ -24,7 +24,11 @@ pub fn footprint(env: &mut Env, shape: &mut Shape) {
         env.fault(FaultKind::Geometry, format!("`footprint`: {why}; the geometry stays as it is"));
     };
     let mesh = shape.to_mesh();
-    match footprint_of(&mesh) {
+    let made = footprint_of(&mesh);
+    if env.spend(0).is_break() {
+        return;
+    }
+    match made {
         Ok(made) if made.is_empty() => refuse(env, "the geometry covers no area"),
         Ok(made) => {
             if env.count_corners(made.corners().len() as u64).is_continue() {

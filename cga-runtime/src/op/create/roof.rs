@@ -156,6 +156,9 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
         return;
     }
     let Roofs { mesh: made, refused, without_overhangs } = roof_over(&mesh, form, rise);
+    if env.spend(0).is_break() {
+        return;
+    }
     report_refused(env, name, &refused, &REFUSALS);
     report_faces(env, name, without_overhangs.into_iter(), |face, more| {
         format!("face {face} has no room for its overhang{more}; the roof has none")

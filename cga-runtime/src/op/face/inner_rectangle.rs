@@ -12,6 +12,9 @@ use crate::geometry::inner_rectangle::face::{RectangleRefusal, cut_rectangle};
 use crate::run::env::Env;
 use crate::shape::Shape;
 
+/// The units of work of a corner of a face.
+const CORNER: usize = 128;
+
 /// The directions of a rectangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RectangleAlignment {
@@ -50,6 +53,7 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
     let labels = [Word::Shape, Word::Remainder].each(|word| arms.of(word));
     let (mut made, mut arms_of) = (Derivation::new(&mesh, CornerValues::All, 0).without_trace(), Vec::new());
     for face in mesh.faces() {
+        env.spend(CORNER * face.corner_count())?;
         let count = match cut_rectangle(&face, alignment.sides(), labels[1].is_some(), &mut made) {
             Ok(count) => {
                 arms_of.push(labels[0]);
@@ -64,7 +68,9 @@ pub fn inner_rectangle(env: &mut Env, arms: &mut Arms<'_>, alignment: RectangleA
         };
         arms_of.extend(std::iter::repeat_n(labels[1], count));
     }
-    ControlFlow::Continue(Faces { mesh: made.finish_by_use(), arms: arms_of })
+    let mesh = made.finish_by_use();
+    env.spend(0)?;
+    ControlFlow::Continue(Faces { mesh, arms: arms_of })
 }
 
 /// `innerRect()`, the form before 2016.0: replaces each face by the largest rectangle along the scope's axes (*innerRect
@@ -78,6 +84,9 @@ pub fn inner_rect(env: &mut Env, shape: &mut Shape) {
     let mut made = Derivation::new(&mesh, CornerValues::All, 0).without_trace();
     let mut refused = 0;
     for face in mesh.faces() {
+        if env.spend(CORNER * face.corner_count()).is_break() {
+            return;
+        }
         if let Err(why) = cut_rectangle(&face, RectangleSides::Axes, false, &mut made) {
             let (number, why) = (face.index(), reason(why));
             env.fault(FaultKind::Geometry, format!("`innerRect`: face {number} {why}; it stays as it is"));

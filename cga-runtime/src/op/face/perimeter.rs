@@ -10,6 +10,7 @@ use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::offset::region::EdgeCut;
 use crate::geometry::small_sort::SmallSort;
 use crate::geometry::tol::TIE_EPSILON;
+use crate::geometry::work;
 use crate::op::Length;
 use crate::op::face::swept_edges::{Turn, divided_at};
 use crate::run::env::Env;
@@ -45,6 +46,9 @@ pub fn perimeter_of(
     along(env, sections, offset, first, Some(mask.as_slice()))
 }
 
+/// The units of work of a piece of an edge.
+const LINK: usize = 16;
+
 /// An edge of the chain that is divided.
 #[derive(Clone, Copy, Debug)]
 struct ChainEdge {
@@ -77,9 +81,8 @@ fn along(
     let turns = |face: &FaceRef<'_>| {
         let (mut cuts, mut owners) = (Vec::new(), Vec::new());
         for (number, corner) in face.corner_range().enumerate() {
-            let edge = &pieces[corner];
-            cuts.extend(edge.cuts.iter().map(|&share| -> EdgeCut { (number, share) }));
-            owners.extend(edge.sections.iter().copied());
+            cuts.extend(pieces.cuts_at(corner).iter().map(|&share| -> EdgeCut { (number, share) }));
+            owners.extend_from_slice(pieces.sections_at(corner));
         }
         let pieces = FacePieces::of(face, &cuts);
         let turn = |&section: &usize| {
@@ -110,16 +113,32 @@ fn chain(mesh: &Mesh, first: f64, is_selected: impl Fn(usize) -> bool) -> Vec<Ch
     links.collect()
 }
 
-/// The pieces of an edge: the shares where it is cut, and the section of each piece.
+/// The pieces of all edges: the shares where an edge is cut, and the section of each piece.
 #[derive(Clone, Debug)]
 struct Pieces {
     cuts: Vec<f64>,
     sections: Vec<Option<usize>>,
+    /// The start and the end of the cuts and of the sections of each edge, by corner.
+    ranges: Vec<[u32; 4]>,
 }
 
-/// The pieces of each edge, by corner. The sections begin at an offset along the chain and wrap at its end.
-fn pieces(mesh: &Mesh, links: &[ChainEdge], sections: &[Section], offset: f64, length: f64) -> Vec<Pieces> {
-    let mut pieces = vec![Pieces { cuts: Vec::new(), sections: vec![None] }; mesh.corners().len()];
+impl Pieces {
+    fn cuts_at(&self, corner: usize) -> &[f64] {
+        let [start, end, ..] = self.ranges[corner];
+        &self.cuts[start as usize..end as usize]
+    }
+
+    fn sections_at(&self, corner: usize) -> &[Option<usize>] {
+        let [.., start, end] = self.ranges[corner];
+        &self.sections[start as usize..end as usize]
+    }
+}
+
+/// The pieces of each edge. The sections begin at an offset along the chain and wrap at its end. Edges that are not in the chain
+/// have one piece without a section, and so do some others if the work is to end.
+fn pieces(mesh: &Mesh, links: &[ChainEdge], sections: &[Section], offset: f64, length: f64) -> Pieces {
+    let ranges = vec![[0, 0, 0, 1]; mesh.corners().len()];
+    let mut pieces = Pieces { cuts: Vec::new(), sections: vec![None], ranges };
     let near = TIE_EPSILON * length;
     let mut ends: Vec<f64> = sections.iter().flat_map(|section| [section.start, section.end]).collect();
     ends.iter_mut().for_each(|end| *end = (*end + offset).rem_euclid(length));
@@ -134,10 +153,16 @@ fn pieces(mesh: &Mesh, links: &[ChainEdge], sections: &[Section], offset: f64, l
         let from = ends.partition_point(|end| *end <= link.start + near);
         let inside = ends[from..].iter().copied().take_while(|end| *end < link.end - near);
         let mut places: Vec<f64> = std::iter::once(link.start).chain(inside).collect();
-        let cuts = places[1..].iter().map(|place| (place - link.start) / (link.end - link.start)).collect();
+        if !work::spend(LINK * places.len()) {
+            break;
+        }
+        let counts = |pieces: &Pieces| [pieces.cuts.len() as u32, pieces.sections.len() as u32];
+        let start = counts(&pieces);
+        pieces.cuts.extend(places[1..].iter().map(|place| (place - link.start) / (link.end - link.start)));
         places.push(link.end);
-        let sections = places.windows(2).map(|pair| section_at(0.5 * (pair[0] + pair[1]))).collect();
-        pieces[link.corner] = Pieces { cuts, sections };
+        pieces.sections.extend(places.windows(2).map(|pair| section_at(0.5 * (pair[0] + pair[1]))));
+        let end = counts(&pieces);
+        pieces.ranges[link.corner] = [start[0], end[0], start[1], end[1]];
     }
     pieces
 }

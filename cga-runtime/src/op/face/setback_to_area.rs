@@ -8,6 +8,7 @@ use crate::fault::FaultKind;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::FaceRef;
 use crate::geometry::offset::to_area::{Rest, offset_for};
+use crate::geometry::work;
 use crate::op::face::setback::{finite, selected};
 use crate::op::face::swept_edges::{divided, turns};
 use crate::run::env::Env;
@@ -90,7 +91,7 @@ fn to_area(
             };
             Rest::of(&face, &turns, moves)
         };
-        mesh.faces().map(face).sum()
+        mesh.faces().take_while(|_| work::spend(0)).map(face).sum()
     };
     let offset = offset_for(area, farthest, left);
     let turns = |face: &FaceRef<'_>| turns(face, &edges, |corner| distance(offset, corner));

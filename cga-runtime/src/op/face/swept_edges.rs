@@ -110,7 +110,8 @@ pub(in crate::op) fn divided_at(
             }
         }
     }
-    Faces { mesh: made.finish_by_use(), arms }
+    let mesh = made.finish_by_use();
+    if work::spend(0) { Faces { mesh, arms } } else { Faces::default() }
 }
 
 fn reason(why: OffsetError) -> &'static str {

@@ -13,10 +13,14 @@ use crate::geometry::mesh::uv::{range, spread};
 use crate::geometry::rotation::sin_cos;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
+use crate::geometry::work;
 use crate::op::Length;
 use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::texture::UvSource;
+
+/// The units of work of a corner whose coordinates are changed.
+const CORNER: usize = 4;
 
 /// The coordinate system of a projection, and its axes for u and v.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -214,6 +218,9 @@ pub fn normalize_uv(env: &mut Env, shape: &mut Shape, set: f64, mode: NormalizeM
             let mut uvs = mesh.uv_set(usize::from(set)).to_vec();
             for face in mesh.faces() {
                 let own = face.corner_range();
+                if !work::spend(CORNER * own.len()) {
+                    break;
+                }
                 if let Some(change) = uvs.get(own.clone()).and_then(range).map(|range| normalized(mode, range)) {
                     uvs[own].iter_mut().for_each(|uv| *uv = change.transform_point2(*uv));
                 }

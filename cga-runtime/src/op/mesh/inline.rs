@@ -13,6 +13,9 @@ use crate::op::mesh::recompose::recompose;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
 
+/// The units of work of a leaf besides its corners.
+const LEAF: usize = 256;
+
 /// The way in which the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MergeStrategy {
@@ -62,10 +65,19 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
     let mut direction = DVec3::ZERO;
-    let meshes: Vec<Mesh> = part_meshes(shape, leaves).map(|mesh| bent_along(mesh, &mut direction)).collect();
+    let mut meshes: Vec<Mesh> = Vec::with_capacity(leaves.len());
+    for mesh in part_meshes(shape, leaves) {
+        if env.spend(LEAF + mesh.corners().len()).is_break() {
+            return;
+        }
+        meshes.push(bent_along(mesh, &mut direction));
+    }
     let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
     if env.count_corners(count).is_continue() {
-        shape.set_mesh(join(meshes.iter()));
+        let joined = join(meshes.iter());
+        if env.spend(0).is_continue() {
+            shape.set_mesh(joined);
+        }
     }
 }
 

@@ -57,6 +57,9 @@ fn soften(env: &mut Env, shape: &mut Shape, angle: f64) {
     // A size stretches angles, so they are measured in the scope.
     let mesh = shape.to_mesh();
     let softened = mesh.softened(angle);
+    if env.spend(0).is_break() {
+        return;
+    }
     if softened.normals() == mesh.normals() || env.count_vertices(&mesh).is_break() {
         return;
     }
@@ -69,6 +72,9 @@ fn turn(env: &mut Env, shape: &mut Shape) {
     let up = shape.scope.axes.transpose() * DVec3::Y;
     let mesh = shape.to_mesh();
     let found = conform(&mesh, up);
+    if env.spend(0).is_break() {
+        return;
+    }
     let refused: Vec<(usize, ())> = found.refused.iter().map(|face| (*face, ())).collect();
     report_refused(env, "setNormals(conform)", &refused, &[((), "has neighbours that cannot agree")]);
     if !found.turned.contains(&true) || env.count_vertices(&mesh).is_break() {

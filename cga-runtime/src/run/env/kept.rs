@@ -88,6 +88,10 @@ impl Env {
             return Some(mesh.clone());
         }
         let mesh = Arc::new(what.mesh());
+        // A mesh that was ended early is empty.
+        if self.spend(0).is_break() {
+            return None;
+        }
         if is_kept {
             self.kept.primitives.insert(what, mesh.clone());
         }

@@ -8,6 +8,7 @@ use glam::{DAffine3, DMat3, DVec2, DVec3};
 use super::{Coordinates, Projections, UvSource};
 use crate::geometry::Axis;
 use crate::geometry::mesh::{FaceRef, Mesh};
+use crate::geometry::work;
 use crate::shape::scope::Scope;
 use crate::shape::{Geometry, Inserted, Placed, Shape};
 
@@ -146,7 +147,10 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
     DAffine3 { matrix3: turned, translation: -(turned * place.translation) }
 }
 
-/// The mesh with all sets explicit. `place` maps it to the world.
+/// The units of work of a corner whose texture coordinates are computed.
+const MAPPING: usize = 4;
+
+/// The mesh with all sets explicit. `place` maps it to the world. Some sets are missing if the work is to end.
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {
     let mut baked = mesh.clone();
     let is_cap = |face: &FaceRef<'_>| face.tag().is_unmapped_cap();
@@ -155,6 +159,9 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
         false => Vec::new(),
     };
     for set in coordinates.sets() {
+        if !work::spend(MAPPING * mesh.corners().len()) {
+            break;
+        }
         let Some((source, change)) = coordinates.resolve(set, projections) else { continue };
         let mut list = match source {
             UvSource::Deleted | UvSource::Stored(_) => Vec::new(),
