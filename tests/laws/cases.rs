@@ -300,4 +300,12 @@ fn coordinates_differ_by_the_rounding_of_positions_alone() {
     assert_eq!(compared(1e-6, 1e-8), None);
     assert!(compared(1e-6, 2e-7).is_some_and(|text| text.contains("the coordinates in set 0")));
     assert!(compared(1.0, 1e-8).is_some_and(|text| text.contains("the coordinates in set 0")));
+    // A box: the coordinates of the faces across x change in the other faces alone (seed 5567).
+    let run = |width: f64, more: f64| {
+        let shape = Shape::cuboid(width, 1.0, 1.0).at([117.3, 0.0, 0.0]);
+        outcome(&Textured { more }, &Settings::default(), &shape)
+    };
+    let compared = |width: f64, more: f64| difference(&run(width, 0.0), &run(width, more), Tolerance { length: 1e-9 });
+    assert_eq!(compared(1e-6, 1e-8), None);
+    assert!(compared(1.0, 1e-8).is_some_and(|text| text.contains("the coordinates in set 0")));
 }

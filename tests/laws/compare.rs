@@ -234,29 +234,33 @@ fn coordinates(set: usize, a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: 
         let found = (0..a.len()).find(differs)?;
         let room = rounding(mesh, set, placement);
         let at = (found..a.len()).find(|at| differs(at) && !close(a[*at], b[*at], most.max(room[*at])))?;
-        Some(format!("the coordinates in set {set} of corner {at}: {} and {}", a[at], b[at]))
+        let most = most.max(room[at]);
+        Some(format!("the coordinates in set {set} of corner {at}: {} and {}, beyond {most:e}", a[at], b[at]))
     })
 }
 
 /// The rounding of the coordinates of each corner: the rounding of its position in the world, four bits of the largest coordinate, times
-/// the change of texture coordinates for a metre along the edges at the corner.
+/// the change of texture coordinates for a metre along the edges at its point, in whatever face they are: one projection has them all.
 fn rounding(mesh: &Mesh, set: usize, placement: &DAffine3) -> Vec<f64> {
     let mut uvs = mesh.uv_set(set).iter();
-    let mut list = Vec::with_capacity(uvs.len());
+    let mut most = vec![0.0_f64; mesh.points().len()];
+    let mut numbers = Vec::with_capacity(uvs.len());
     for ring in mesh.faces().flat_map(|face| face.loops().map(<[u32]>::to_vec).collect::<Vec<_>>()) {
         let place = |point: u32| placement.transform_point3(mesh.points()[point as usize]);
-        let corners: Vec<(DVec3, DVec2)> = ring.into_iter().map(place).zip(uvs.by_ref().copied()).collect();
+        let corners: Vec<(DVec3, DVec2)> = ring.iter().copied().map(place).zip(uvs.by_ref().copied()).collect();
         let slope = |(point, uv): (DVec3, DVec2), (next, other): (DVec3, DVec2)| {
             let metres = point.distance(next);
             if metres == 0.0 { 0.0 } else { (uv - other).abs().max_element() / metres }
         };
-        for (at, corner) in corners.iter().enumerate() {
+        for (at, (corner, &point)) in corners.iter().zip(&ring).enumerate() {
             let [next, last] = [1, corners.len() - 1].map(|step| corners[(at + step) % corners.len()]);
             let steepest = slope(*corner, next).max(slope(*corner, last));
-            list.push(4.0 * f64::EPSILON * corner.0.abs().max_element() * steepest);
+            let room = &mut most[point as usize];
+            *room = room.max(4.0 * f64::EPSILON * corner.0.abs().max_element() * steepest);
+            numbers.push(point);
         }
     }
-    list
+    numbers.into_iter().map(|point| most[point as usize]).collect()
 }
 
 /// Everything about two meshes but positions. The placement is of the first.
