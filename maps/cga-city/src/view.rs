@@ -20,11 +20,12 @@ const MOST_HEAD: u64 = 16 << 10;
 pub(crate) fn view(options: &ViewOptions) -> Result<Status, Problem> {
     let city = &options.dir;
     if !city.join("tileset.json").is_file() {
-        let text = format!(
-            "`{}` has no tileset.json; make a city with `cga-city LOTS --rules RULES.cga --out DIR`",
-            city.display()
-        );
-        return Err(Problem::unusable(text));
+        let tiles = city.join("tiles");
+        let help = match tiles.join("tileset.json").is_file() {
+            true => format!("did you mean `{}`?", tiles.display()),
+            false => "make a city with `cga-city LOTS --rules RULES.cga --out DIR`".to_owned(),
+        };
+        return Err(Problem::unusable(format!("`{}` has no tileset.json; {help}", city.display())));
     }
     let view = Path::new(PACKAGE).with_file_name("view");
     let page = options.page.clone().unwrap_or_else(|| view.join("dist"));

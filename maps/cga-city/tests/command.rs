@@ -56,6 +56,8 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
     std::fs::copy(folder.path().join("lots.shp"), folder.path().join("alone.shp")).expect("room");
     std::fs::create_dir(folder.path().join("full")).expect("room");
     std::fs::write(folder.path().join("full/letter.txt"), "dear").expect("room");
+    std::fs::create_dir_all(folder.path().join("town/tiles")).expect("room");
+    std::fs::write(folder.path().join("town/tiles/tileset.json"), "{}").expect("room");
     std::fs::create_dir(folder.path().join("seen")).expect("room");
     std::fs::write(folder.path().join("seen/tileset.json"), "{}").expect("room");
     std::fs::write(folder.path().join("seen/index.html"), "").expect("room");
@@ -114,7 +116,12 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         (usual("lots.geojson", "house.cga", &["--crs", "EPSG:25823"]), 2, "such as EPSG:25832 for UTM"),
         (run(folder.path(), &["view", "seen", "--page", "seen", "--port", &taken]), 2, "use another one with `--port`"),
         (run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "full"]), 2, "not a city"),
-        (run(folder.path(), &["view", "full"]), 2, "has no tileset.json"),
+        (run(folder.path(), &["view", "full"]), 2, "has no tileset.json; make a city"),
+        (
+            run(folder.path(), &["view", "town"]),
+            2,
+            &format!("did you mean `{}`?", Path::new("town").join("tiles").display()),
+        ),
         (run(folder.path(), &["outlines", "lots.shp"]), 2, "`lots.shp` exists already"),
         (run(folder.path(), &["outlines", "a.txt"]), 2, "ends in none of"),
     ] {
