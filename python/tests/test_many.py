@@ -121,7 +121,7 @@ def test_columns_of_other_names_types_and_nulls_set_attributes() -> None:
     assert text[0].attributes["h"] == 12.5 and not text[0].faults
     # The building stays, with a fault.
     assert text[1].attributes["h"] == 1.0 and "`h`" in text[1].faults[0].message
-    with pytest.raises(pycga.AttributeValueError, match="no column `HOEHE`; its columns are id, height, geometry"):
+    with pytest.raises(pycga.AttributeValueError, match="no column `HOEHE`; the columns are id, height, geometry"):
         rules.generate_all(table(1), columns={"h": "HOEHE"})
     with pytest.raises(pycga.AttributeValueError, match="`g`; the attributes are h, lit, kind, list, names"):
         rules.generate_all(table(1), columns={"g": "HOEHE"})
