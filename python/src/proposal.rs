@@ -5,7 +5,7 @@ use cga_split::suggest::nearest;
 /// The most names of a message.
 const MOST: usize = 30;
 
-/// Returns the end of the message about an unknown name: the nearest name, and the names of all. `kind` is the plural of what has these names.
+/// Returns the end of the message about an unknown name: the nearest name, and the names of all. `kind` is their kind in the plural, such as `columns`.
 pub(crate) fn proposal<'n>(name: &str, kind: &str, known: impl IntoIterator<Item = &'n str>) -> String {
     let known: Vec<&str> = known.into_iter().collect();
     let shown = known[..known.len().min(MOST)].join(", ");
