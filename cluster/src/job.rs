@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 use cga::RuleLoader;
 use cga_city::build::Options;
 use cga_geo::crs::{Crs, WGS_84};
+use cga_geo::missing;
 use cga_geo::reader::FileCrs;
 use cga_geo::survey::Columns;
 use serde::Deserialize;
@@ -80,12 +81,18 @@ impl Job {
     /// A sentence about the file.
     pub fn open(path: &Path) -> Result<Self, String> {
         let unread = |why: String| format!("cannot read `{}`: {why}", path.display());
-        let text = std::fs::read_to_string(path).map_err(|why| unread(why.to_string()))?;
+        let text = std::fs::read_to_string(path);
+        let text = text.map_err(|error| unread(missing::unopened(path, &error, &["toml"])))?;
         let mut job: Job = toml::from_str(&text).map_err(|why| unread(why.to_string()))?;
         let folder = std::path::absolute(path).map_err(|why| unread(why.to_string()))?;
         let folder = folder.parent().unwrap_or(Path::new("/")).to_owned();
         job.store = address(&folder, &job.store)?;
         for lots in &mut job.lots {
+            if !lots.contains("://") {
+                let unread = |why: String| format!("lots: cannot read `{lots}`: {why}");
+                let path = folder.join(&*lots);
+                path.metadata().map_err(|error| unread(missing::unopened(&path, &error, &["parquet"])))?;
+            }
             *lots = address(&folder, lots)?;
         }
         job.rules.iter_mut().chain(&mut job.assets).for_each(|path| *path = folder.join(&*path));
@@ -98,12 +105,14 @@ impl Job {
     /// A sentence about a choice, or the errors of the rules.
     pub fn work(&self, crs: &FileCrs) -> Result<Work, String> {
         let rules = |path: &PathBuf| {
+            let unread = |why: String| format!("rules: cannot read `{}`: {why}", path.display());
+            path.metadata().map_err(|error| unread(missing::unopened(path, &error, &["cga"])))?;
             let rules = RuleLoader::new().open(path).map_err(|why| why.to_string())?;
             let texts = rules.texts().map(|(name, text)| (name.to_owned(), text.to_owned())).collect();
             Ok(RuleTexts { file: rules.file().to_owned(), texts })
         };
         let crs = match (&self.crs, crs) {
-            (Some(given), _) => given.parse::<Crs>()?.code(),
+            (Some(given), _) => given.parse::<Crs>().map_err(|why| format!("crs: {why}"))?.code(),
             (None, FileCrs::Epsg(code)) => *code,
             (None, FileCrs::None) => WGS_84,
             (None, FileCrs::Unknown(name)) => {
@@ -161,6 +170,8 @@ mod tests {
         let text = "store = \"out\"\nlots = [\"lots.parquet\", \"s3://maps/a.parquet\"]\nrules = [\"house.cga\"]\n\
                     set = { slope = 40, kind = \"shop\" }\nlod = [\"slope=0@9\"]";
         std::fs::write(&path, text).expect("room");
+        assert!(Job::open(&path).expect_err("no lots").contains("its folder has no file `.parquet`"));
+        std::fs::write(folder.path().join("lots.parquet"), "").expect("room");
         let job = Job::open(&path).expect("right");
         assert!(job.store.starts_with("file:///") && job.store.ends_with("/out"), "{}", job.store);
         assert!(job.lots[0].ends_with("/lots.parquet") && job.lots[1] == "s3://maps/a.parquet");
@@ -170,6 +181,17 @@ mod tests {
         assert!(work.load_rules().is_ok());
         std::fs::write(&path, format!("{text}\ncolour = 3")).expect("room");
         assert!(Job::open(&path).expect_err("unknown").contains("colour"));
+        for (right, wrong, proposal) in [
+            ("lots.parquet", "lost.parquet", "/lots.parquet`?"),
+            ("house.cga", "hose.cga", "/house.cga`?"),
+            ("house.cga\"]", "house.cga\"]\ncrs = \"EPSG:25899\"", "such as EPSG:25832"),
+        ] {
+            std::fs::write(&path, text.replace(right, wrong)).expect("room");
+            let error = Job::open(&path).and_then(|job| job.work(&FileCrs::None)).expect_err("a mistake");
+            assert!(error.contains(proposal), "{error}");
+        }
+        let error = Job::open(&folder.path().join("jop.toml")).expect_err("missing");
+        assert!(error.contains("did you mean") && error.contains("/job.toml`?"), "{error}");
         assert!(job.work(&FileCrs::Unknown("Gauss".into())).expect_err("no code").contains("EPSG:25832"));
     }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use cga_geo::missing;
 use cga_geo::reader::geoparquet::Geometry;
 use cga_geo::survey::Columns;
 use datafusion::datasource::file_format::FileFormat as _;
@@ -66,9 +67,10 @@ impl Lots {
         let schema = datafusion::datasource::TableProvider::schema(&*self.table);
         let found: Vec<(String, String)> = schema.fields().iter().flat_map(|field| columns_of(field)).collect();
         let has = |name: &str| found.iter().any(|(known, _)| known == name);
-        if let Some((_, missing)) = columns.named().find(|(_, name)| !has(name)) {
-            let known: Vec<&str> = found.iter().map(|(name, _)| name.as_str()).collect();
-            return Err(format!("no file of lots has the column `{missing}`; their columns are {}", known.join(", ")));
+        if let Some((_, name)) = columns.named().find(|(_, name)| !has(name)) {
+            let known = found.iter().map(|(name, _)| name.as_str()).filter(|name| *name != self.geometry.column);
+            let known = missing::names(name, "the lots", "columns", known);
+            return Err(format!("no file of lots has the column `{name}`; {known}"));
         }
         let Some((_, geometry)) = found.iter().find(|(name, _)| *name == self.geometry.column) else {
             return Err(format!("the lots have no column `{}`", self.geometry.column));

@@ -18,6 +18,7 @@ use std::process::ExitCode;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
+use cga_city::program;
 use cga_cluster::engine::{self, Engine};
 use cga_cluster::job::Job;
 use cga_cluster::run::{Summary, run};
@@ -127,7 +128,8 @@ async fn command(command: Command) -> Result<(), String> {
         Command::Town(options) => {
             let job = town::write()?;
             embedded(&Job::open(&job)?, processors, options.quiet).await?;
-            println!("\nNext: change `town/town.toml` or `town/town.cga`, and type\n  cga-cluster run town/town.toml");
+            let name = program::name("cga-cluster");
+            println!("\nNext: change `town/town.toml` or `town/town.cga`, and type\n  {name} run town/town.toml");
             Ok(())
         }
         Command::Run(RunOptions { job, threads, quiet }) => {

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 
 use crate::errors::panicked;
 use crate::outline::Outline;
+use crate::proposal::proposal;
 use crate::rows::{Columns, Row};
 use crate::value::coerced;
 use crate::wkb;
@@ -106,8 +107,8 @@ impl<'b> Batch<'b> {
 }
 
 fn missing(name: &str, schema: &SchemaRef) -> String {
-    let known: Vec<&str> = schema.fields().iter().take(30).map(|field| field.name().as_str()).collect();
-    format!("the table has no column `{name}`; its columns are {}", known.join(", "))
+    let known = schema.fields().iter().map(|field| field.name().as_str());
+    format!("the table has no column `{name}`; {}", proposal(name, "columns", known))
 }
 
 /// A column of values.

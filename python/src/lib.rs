@@ -18,6 +18,7 @@ mod mesh;
 mod model;
 mod models;
 mod outline;
+mod proposal;
 mod report_table;
 mod reports;
 mod rows;

@@ -9,6 +9,9 @@ use crate::errors::PANIC;
 /// The most corners of the polygons of a row. More are a coastline and not a lot.
 pub(crate) const MOST_CORNERS: usize = 20_000;
 
+/// The least extent of a lot in metres. Smaller ones are degrees that are read as metres.
+const LEAST_METRES: f64 = 0.01;
+
 /// A polygon with x to the east and y to the north, in metres.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Outline {
@@ -51,6 +54,13 @@ impl Outline {
         let holes: Vec<_> = holes.iter().map(corners).collect();
         let height = height.or(self.height).unwrap_or_default();
         let outer = corners(outer);
+        let longest = longest(&outer);
+        if 0.0 < longest && longest < LEAST_METRES {
+            return Err(format!(
+                "it is {longest:.1e} m long, so its coordinates are probably degrees; convert them to metres, for example with \
+                 `frame.to_crs(frame.estimate_utm_crs())` of geopandas"
+            ));
+        }
         let made = catch_unwind(|| Shape::footprint(&outer, &holes)).map_err(|_| PANIC.to_owned())?;
         let shape = made.map_err(|why| why.to_string())?;
         if !height.is_finite() {
@@ -58,6 +68,15 @@ impl Outline {
         }
         Ok(shape.at([0.0, height, 0.0]))
     }
+}
+
+/// The longer side of the box around some corners.
+fn longest(corners: &[[f64; 2]]) -> f64 {
+    let side = |axis: usize| {
+        let values = corners.iter().map(|corner| corner[axis]);
+        values.clone().fold(f64::NEG_INFINITY, f64::max) - values.fold(f64::INFINITY, f64::min)
+    };
+    side(0).max(side(1))
 }
 
 /// The message for a geometry with too many corners.

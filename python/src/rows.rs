@@ -1,5 +1,7 @@
 //! Rows of tables and of collections: lots, or the reason why they are missing.
 
+use std::collections::BTreeSet;
+
 use cga::{Attribute, Grammar, RuleFile, Shape as Initial, Value, ValueType};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -7,6 +9,7 @@ use pyo3::types::PyDict;
 use crate::errors::AttributeValueError;
 use crate::geometry::{geo_json, geo_object, geo_type, member, outlines};
 use crate::outline::{Origin, Outline};
+use crate::proposal::proposal;
 use crate::shape::Shape;
 use crate::value::{coerced, elements, from_python};
 
@@ -119,6 +122,35 @@ pub(crate) fn features<'py>(given: &Bound<'py, PyAny>) -> Result<Option<Vec<Boun
         _ => Ok(Some(vec![object.into_any()])),
     }
 }
+
+/// Checks the properties that a call names. Features may leave them out, but a property that no feature has is misspelt.
+///
+/// # Errors
+/// A sentence about a property.
+pub(crate) fn check_properties(features: &[Bound<'_, PyAny>], columns: &Columns) -> Result<(), String> {
+    let renamed = columns.attributes.iter().filter(|(attribute, _, column)| attribute != column);
+    let named = renamed.map(|(_, _, column)| column).chain(&columns.name);
+    let properties = features.iter().filter_map(|feature| {
+        let properties = feature.cast::<PyDict>().ok()?.get_item("properties").ok()??;
+        properties.cast_into::<PyDict>().ok()
+    });
+    let properties: Vec<Bound<'_, PyDict>> = properties.collect();
+    for name in named {
+        if properties.is_empty() || properties.iter().any(|own| own.contains(name).unwrap_or(true)) {
+            continue;
+        }
+        let mut known = BTreeSet::new();
+        for own in properties.iter().take(MOST_FEATURES) {
+            known.extend(own.keys().iter().filter_map(|name| name.extract::<String>().ok()));
+        }
+        let known = proposal(name, "properties", known.iter().map(String::as_str));
+        return Err(format!("no feature has the property `{name}`; {known}"));
+    }
+    Ok(())
+}
+
+/// The most features whose properties are listed in a message.
+const MOST_FEATURES: usize = 1000;
 
 /// The row of an element of a list: a `Shape`, a feature, or a geometry.
 pub(crate) fn row_of(given: &Bound<'_, PyAny>, columns: &Columns) -> Row {

@@ -4,8 +4,8 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
 use crate::arrow_table::ArrowTable;
-use crate::errors::ShapeError;
-use crate::rows::{Columns, Row, features, row_of};
+use crate::errors::{AttributeValueError, ShapeError};
+use crate::rows::{Columns, Row, check_properties, features, row_of};
 use crate::value::{elements, plain, type_name};
 
 /// The lots of a call.
@@ -28,7 +28,10 @@ impl Source {
         let (list, has_columns) = match elements(&plain) {
             Some(list) => (list, false),
             None => match features(lots).map_err(ShapeError::new_err)? {
-                Some(features) => (features, true),
+                Some(features) => {
+                    check_properties(&features, columns).map_err(AttributeValueError::new_err)?;
+                    (features, true)
+                }
                 None => {
                     let why = "give a list of shapes, a FeatureCollection, or a table of Arrow";
                     return Err(PyTypeError::new_err(format!("{} has no lots; {why}", type_name(lots))));

@@ -121,7 +121,7 @@ def test_columns_of_other_names_types_and_nulls_set_attributes() -> None:
     assert text[0].attributes["h"] == 12.5 and not text[0].faults
     # The building stays, with a fault.
     assert text[1].attributes["h"] == 1.0 and "`h`" in text[1].faults[0].message
-    with pytest.raises(pycga.AttributeValueError, match="no column `HOEHE`; its columns are id, height, geometry"):
+    with pytest.raises(pycga.AttributeValueError, match="no column `HOEHE`; the columns are id, height, geometry"):
         rules.generate_all(table(1), columns={"h": "HOEHE"})
     with pytest.raises(pycga.AttributeValueError, match="`g`; the attributes are h, lit, kind, list, names"):
         rules.generate_all(table(1), columns={"g": "HOEHE"})
@@ -186,3 +186,34 @@ def test_wrong_arguments_are_errors(house: pycga.RuleFile) -> None:
         house.generate_all([], threads=10**6)
     with pytest.raises(pycga.RunError, match="start rules are Lot"):
         house.generate_all([], start="None")
+
+
+def test_a_property_that_no_feature_has_is_named(house: pycga.RuleFile) -> None:
+    given = collection(3)
+    for feature in given["features"]:
+        feature["properties"]["storeys"] = 3
+    for renamed in ("stories", "storey"):
+        with pytest.raises(pycga.AttributeValueError, match=f"no feature has the property `{renamed}`; did you mean `storeys`"):
+            house.generate_all(given, columns={"height": renamed})
+    with pytest.raises(pycga.AttributeValueError, match="no feature has the property `osm`; the properties are height, storeys"):
+        house.generate_all(given, name="osm")
+    # One feature is enough.
+    given["features"][1]["properties"]["osm"] = "way/7"
+    assert [model.name for model in house.generate_all(given, name="osm")] == ["", "way/7", ""]
+
+
+def test_a_column_of_a_table_has_a_proposal(house: pycga.RuleFile) -> None:
+    with pytest.raises(pycga.AttributeValueError, match="no column `hieght`; did you mean `height`. The columns are id, height, geometry"):
+        house.generate_all(table(2), columns={"height": "hieght"})
+    with pytest.raises(pycga.AttributeValueError, match="no column `geom`; the columns are id, height, geometry"):
+        house.generate_all(table(2), geometry="geom")
+
+
+def test_degrees_are_refused(house: pycga.RuleFile) -> None:
+    corners = [(11.0, 48.0), (11.0002, 48.0), (11.0002, 48.0001), (11.0, 48.0001)]
+    with pytest.raises(pycga.ShapeError, match="probably degrees; convert them to metres"):
+        house.generate(corners)
+    frame = geopandas.GeoDataFrame({"id": ["mill"]}, geometry=[shapely.Polygon(corners)], crs=4326)
+    models = house.generate_all(frame, name="id")
+    assert [one.kind for one in models.failures] == ["shape"] and "estimate_utm_crs" in models.failures[0].reason
+    assert len(house.generate_all(frame.to_crs(frame.estimate_utm_crs()), name="id")) == 1

@@ -246,7 +246,10 @@ async fn a_building_without_a_face_has_a_reason() {
 async fn wrong_jobs_are_refused_with_a_reason() {
     let world = World::new(1, 20, 0);
     for (choices, why) in [
-        ("id = \"gid\"", "no file of lots has the column `gid`; their columns are id, height, floors, kind, geometry"),
+        (
+            "id = \"gid\"",
+            "no file of lots has the column `gid`; did you mean `id`? The columns are `id`, `height`, `floors`, `kind`",
+        ),
         ("attributes = { floors = \"storeys\" }", "`storeys` is not an attribute of the rules"),
         ("lod = [\"Blok\"]", "its start rules are Lot, "),
         ("set = { hight = 3 }", "hight"),

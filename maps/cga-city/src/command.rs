@@ -8,6 +8,7 @@ use cga_city::build::{Build, Options, Summary};
 use cga_city::leftovers::is_of_city;
 use cga_city::rules::Rules;
 use cga_geo::crs::{Crs, WGS_84};
+use cga_geo::missing;
 use cga_geo::reader::{self, FileCrs};
 use cga_geo::survey::{Columns, Surveyor};
 use cga_geo::terrain::{AsciiGrid, Terrain};
@@ -104,8 +105,12 @@ fn is_inside(file: &Path, folder: &Path) -> bool {
 
 /// The rules with the values of the command.
 fn rules(options: &CityOptions) -> Result<Rules, Problem> {
-    if let Some(missing) = options.rules.iter().find(|path| !path.is_file()) {
-        return Err(Problem::unusable(format!("cannot read `{}`: it is not a file", missing.display())));
+    for path in &options.rules {
+        let unread = |why: String| Problem::unusable(format!("cannot read `{}`: {why}", path.display()));
+        let metadata = path.metadata().map_err(|error| unread(missing::unopened(path, &error, &["cga"])))?;
+        if !metadata.is_file() {
+            return Err(unread("it is not a file".to_owned()));
+        }
     }
     let mut rules = Rules::open(&options.rules).map_err(Problem::failed)?;
     rules.warnings().for_each(|warning| say(format_args!("{warning}\n")));
@@ -159,7 +164,7 @@ fn open(
 
 fn terrain(path: &Path) -> Result<Arc<dyn Terrain>, String> {
     let unread = |why: String| format!("cannot read `{}`: {why}", path.display());
-    let file = std::fs::File::open(path).map_err(|why| unread(why.to_string()))?;
+    let file = std::fs::File::open(path).map_err(|error| unread(missing::unopened(path, &error, &["asc"])))?;
     let grid = AsciiGrid::read(std::io::BufReader::new(file)).map_err(unread)?;
     Ok(Arc::new(grid))
 }

@@ -17,6 +17,7 @@ pub mod leftovers;
 pub mod level;
 pub mod lots;
 pub mod problems;
+pub mod program;
 pub mod rules;
 pub mod store;
 pub mod tally;

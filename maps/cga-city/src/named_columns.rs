@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use cga_geo::plain;
 use cga_geo::row::Row;
 use cga_geo::survey::Columns;
+use cga_geo::{missing, plain};
 
 /// The most names of columns that are kept for a message. Each feature of GeoJSON may have other ones.
 const MOST: usize = 1000;
@@ -63,10 +63,7 @@ impl NamedColumns {
         let Some((option, name)) = self.named.iter().find(|(_, name)| !self.found.contains(name)) else {
             return Ok(());
         };
-        let known = match self.found.len() {
-            0 => "the lots have no columns".to_owned(),
-            _ => format!("the columns are {}", plain::names(self.found.iter().map(String::as_str))),
-        };
+        let known = missing::names(name, "the lots", "columns", self.found.iter().map(String::as_str));
         Err(format!("{option}: the column `{}` is unknown, as {why}; {known}", plain::plain(name, 60)))
     }
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cga::{Assets, Grammar, Grammars, RuleFile, RuleLoader, Settings, WrongLots};
+use cga_geo::missing;
 
 use crate::level::Level;
 
@@ -86,7 +87,10 @@ impl Rules {
         };
         match names.find(|name| !has(name)) {
             Some(name) => {
-                Err(format!("`{name}` is not an attribute of the rules; `cga attributes RULES.cga` lists them"))
+                let attributes = self.files.iter().flat_map(|file| file.attributes());
+                let known = attributes.map(|attribute| attribute.name.as_str());
+                let known = missing::names(name, "the rules", "attributes", known);
+                Err(format!("`{name}` is not an attribute of the rules; {known}"))
             }
             None => Ok(()),
         }

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use cga_city::program;
 use cga_geo::synthetic::Town;
 
 use crate::options::{CityOptions, OutlineOptions};
@@ -38,10 +39,13 @@ pub(crate) fn town(options: CityOptions) -> Result<Status, Problem> {
         options.lod = ["Block".parse().map_err(Problem::unusable)?].into();
     }
     let status = command::city(&options)?;
-    say("\nNext: change the rules or a value, and type");
-    say("  cga-city town/town.geojson --rules town/town.cga --out town/tiles --lod Block --set slope=50");
-    say("  cga-city view town/tiles");
-    say("or take a map of your own: cga-city LOTS --rules RULES.cga --out DIR; `cga-city --help` has all options");
+    let name = program::name("cga-city");
+    say(format_args!(
+        "\nNext: change the rules or a value, and type\n  \
+         {name} town/town.geojson --rules town/town.cga --out town/tiles --lod Block --set slope=50\n  \
+         {name} view town/tiles\n\
+         or take a map of your own: {name} LOTS --rules RULES.cga --out DIR; `{name} --help` has all options"
+    ));
     Ok(status)
 }
 

@@ -10,8 +10,8 @@ use crate::options::ViewOptions;
 use crate::stream::say;
 use crate::{Problem, Status};
 
-/// The page that `maps/view/build.sh` builds in the repository.
-const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../view/dist");
+/// The package of the command in the repository. Beside it, `view/build.sh` builds the page.
+const PACKAGE: &str = env!("CARGO_MANIFEST_DIR");
 
 /// The most bytes of the head of a request.
 const MOST_HEAD: u64 = 16 << 10;
@@ -20,21 +20,24 @@ const MOST_HEAD: u64 = 16 << 10;
 pub(crate) fn view(options: &ViewOptions) -> Result<Status, Problem> {
     let city = &options.dir;
     if !city.join("tileset.json").is_file() {
-        let text = format!(
-            "`{}` has no tileset.json; make a city with `cga-city LOTS --rules RULES.cga --out DIR`",
-            city.display()
-        );
-        return Err(Problem::unusable(text));
+        let tiles = city.join("tiles");
+        let help = match tiles.join("tileset.json").is_file() {
+            true => format!("did you mean `{}`?", tiles.display()),
+            false => "make a city with `cga-city LOTS --rules RULES.cga --out DIR`".to_owned(),
+        };
+        return Err(Problem::unusable(format!("`{}` has no tileset.json; {help}", city.display())));
     }
-    let page = options.page.clone().unwrap_or_else(|| PathBuf::from(PAGE));
+    let view = Path::new(PACKAGE).with_file_name("view");
+    let page = options.page.clone().unwrap_or_else(|| view.join("dist"));
     if !page.join("index.html").is_file() {
-        let text = format!(
-            "the page is missing in `{}`; build it with `maps/view/build.sh`, which needs Node.js",
-            page.display()
-        );
+        let (page, script) = (page.display(), view.join("build.sh"));
+        let text =
+            format!("`{page}` has no index.html; build the page with `{}`, which needs Node.js", script.display());
         return Err(Problem::unusable(text));
     }
-    let unusable = |why: io::Error| Problem::unusable(format!("cannot serve port {}: {why}", options.port));
+    let unusable = |why: io::Error| {
+        Problem::unusable(format!("cannot serve port {}: {why}; use another one with `--port`", options.port))
+    };
     let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, options.port)).map_err(unusable)?;
     let port = listener.local_addr().map_err(unusable)?.port();
     say(format_args!("http://127.0.0.1:{port}/ shows `{}`; Ctrl+C ends it", city.display()));

@@ -29,10 +29,12 @@ fn without_arguments_it_makes_a_town_and_says_what_to_type_next() {
     let output = run(folder.path(), &[]);
     let text = said(&output);
     assert_eq!(output.status.code(), Some(0), "{text}");
-    let next = text.lines().find(|line| line.starts_with("  cga-city town/town.geojson")).expect("a line to type");
+    let mut lines =
+        text.lines().filter_map(|line| line.strip_prefix("  ")?.strip_prefix(env!("CARGO_BIN_EXE_cga-city")));
+    let next = lines.find(|line| line.starts_with(" town/town.geojson")).expect("a line to type");
     assert!(folder.path().join("town/tiles/tileset.json").is_file());
     // The line works as it is.
-    let again = run(folder.path(), &next.split_whitespace().skip(1).collect::<Vec<_>>());
+    let again = run(folder.path(), &next.split_whitespace().collect::<Vec<_>>());
     assert_eq!(again.status.code(), Some(0), "{}", said(&again));
     assert!(said(&again).contains(" 0 kept"));
 }
@@ -51,8 +53,16 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         Town::new(9).write(&folder.path().join(format!("lots.{ending}"))).expect("room");
     }
     std::fs::write(folder.path().join("lots.txt"), "lots").expect("room");
+    std::fs::copy(folder.path().join("lots.shp"), folder.path().join("alone.shp")).expect("room");
     std::fs::create_dir(folder.path().join("full")).expect("room");
     std::fs::write(folder.path().join("full/letter.txt"), "dear").expect("room");
+    std::fs::create_dir_all(folder.path().join("town/tiles")).expect("room");
+    std::fs::write(folder.path().join("town/tiles/tileset.json"), "{}").expect("room");
+    std::fs::create_dir(folder.path().join("seen")).expect("room");
+    std::fs::write(folder.path().join("seen/tileset.json"), "{}").expect("room");
+    std::fs::write(folder.path().join("seen/index.html"), "").expect("room");
+    let listener = std::net::TcpListener::bind(("127.0.0.1", 0)).expect("a port");
+    let taken = listener.local_addr().expect("a port").port().to_string();
     let usual = |lots: &str, rules: &str, more: &[&str]| {
         let args = [&[lots, "--rules", rules, "--out", "out"], more].concat();
         run(folder.path(), &args)
@@ -63,10 +73,17 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
         (usual("lots.geojson", "broken.cga", &[]), 1, "error"),
         (usual("empty.geojson", "house.cga", &[]), 1, "the city is empty"),
         (usual("none.geojson", "house.cga", &[]), 2, "cannot read `none.geojson`"),
+        (usual("lost.geojson", "house.cga", &[]), 2, "`lost.geojson`: it does not exist; did you mean `lots.geojson`?"),
+        (usual("lots.geojson", "hose.cga", &[]), 2, "`hose.cga`: it does not exist; did you mean `house.cga`?"),
+        (usual("alone.shp", "house.cga", &[]), 2, "`alone.shx` is missing; a shapefile is `.shp`, `.shx` and `.dbf`"),
         (usual("lots.txt", "house.cga", &[]), 2, "its name ends in none of"),
         (usual("lots.geojson", "none.cga", &[]), 2, "cannot read `none.cga`"),
         (usual("lots.geojson", "house.cga", &["--set", "hight=3"]), 2, "height"),
-        (usual("lots.geojson", "house.cga", &["--attribute", "h=hight"]), 2, "`hight` is not an attribute"),
+        (
+            usual("lots.geojson", "house.cga", &["--attribute", "h=hight"]),
+            2,
+            "`hight` is not an attribute of the rules; did you mean `height`?",
+        ),
         (usual("lots.geojson", "house.cga", &["--lod", "Blok"]), 2, "its start rules are Lot, Block"),
         (usual("lots.geojson", "house.cga", &["--lod", "Block", "--lod", "Block@99"]), 2, "`Block@99` is given twice"),
         (
@@ -84,15 +101,27 @@ fn each_kind_of_failure_has_its_status_and_a_message() {
             2,
             "--attribute: the column `NOCOL` is unknown, as no file has it; the columns are `",
         ),
+        (usual("lots.fgb", "house.cga", &["--attribute", "hight=height"]), 2, "did you mean `height`? The columns are"),
         (usual("lots.shp", "house.cga", &["--start-column", "NOCOL"]), 2, "--start-column: the column `NOCOL`"),
         (usual("lots.parquet", "house.cga", &["--grammar-column", "NOCOL"]), 2, "--grammar-column: the column `NOCOL`"),
         (usual("none.geojson", "start.cga", &[]), 1, "`start` has no start rule"),
         (usual("lots.geojson", "lost.cga", &[]), 1, "all buildings of a level are lost"),
         (usual("lots.fgb", "image.cga", &[]), 0, "no asset folder is set (`--assets FOLDER`)"),
         (usual("lots.geojson", "house.cga", &["--terrain", "none.asc"]), 2, "cannot read `none.asc`"),
-        (usual("lots.geojson", "house.cga", &["--crs", "EPSG:1"]), 2, "EPSG:1"),
+        (
+            usual("lots.geojson", "house.cga", &["--crs", "EPSG:1"]),
+            2,
+            "EPSG:1 is not a known coordinate system; look up",
+        ),
+        (usual("lots.geojson", "house.cga", &["--crs", "EPSG:25823"]), 2, "such as EPSG:25832 for UTM"),
+        (run(folder.path(), &["view", "seen", "--page", "seen", "--port", &taken]), 2, "use another one with `--port`"),
         (run(folder.path(), &["lots.geojson", "--rules", "house.cga", "--out", "full"]), 2, "not a city"),
-        (run(folder.path(), &["view", "full"]), 2, "has no tileset.json"),
+        (run(folder.path(), &["view", "full"]), 2, "has no tileset.json; make a city"),
+        (
+            run(folder.path(), &["view", "town"]),
+            2,
+            &format!("did you mean `{}`?", Path::new("town").join("tiles").display()),
+        ),
         (run(folder.path(), &["outlines", "lots.shp"]), 2, "`lots.shp` exists already"),
         (run(folder.path(), &["outlines", "a.txt"]), 2, "ends in none of"),
     ] {

@@ -38,8 +38,19 @@ impl Crs {
         if code == WGS_84 || code == 4979 {
             return Ok(Crs { code, projection: None });
         }
-        let short = u16::try_from(code).map_err(|_| format!("EPSG:{code} is not a known coordinate system"))?;
-        let own = Proj::from_epsg_code(short).map_err(|why| format!("EPSG:{code} cannot be used: {why}"))?;
+        let unknown = || {
+            format!(
+                "EPSG:{code} is not a known coordinate system; look up the code of the map, such as EPSG:25832 for UTM zone 32 in Europe \
+                 and EPSG:4326 for degrees"
+            )
+        };
+        let short = u16::try_from(code).map_err(|_| unknown())?;
+        let own = Proj::from_epsg_code(short).map_err(|why| match why {
+            proj4rs::errors::Error::ProjectionNotFound => unknown(),
+            why => {
+                format!("EPSG:{code} cannot be used ({why}); convert the file to degrees with a GIS, for example QGIS or ogr2ogr")
+            }
+        })?;
         let degrees = Proj::from_epsg_code(WGS_84 as u16).map_err(|why| format!("EPSG:4326 cannot be used: {why}"))?;
         Ok(Crs { code, projection: Some(Box::new([own, degrees])) })
     }

@@ -41,6 +41,7 @@ pub mod column;
 pub mod crs;
 pub mod footprint;
 pub mod frame;
+pub mod missing;
 pub mod outline;
 pub mod plain;
 pub mod reader;

@@ -24,6 +24,7 @@ pub mod shapefile;
 use std::path::Path;
 
 use self::quiet::quiet;
+use crate::missing;
 use crate::row::Row;
 
 /// The rows of a file.
@@ -81,11 +82,16 @@ pub enum FileCrs {
 /// The endings of files that [`open`] reads.
 pub const ENDINGS: &str = ".geojson, .json, .geojsonl, .fgb, .shp and .parquet";
 
+/// All of these endings, and their variants.
+const ALL_ENDINGS: [&str; 9] =
+    ["geojson", "json", "geojsonl", "geojsons", "ndjson", "fgb", "shp", "parquet", "geoparquet"];
+
 /// Opens a file by its ending. `columns` are the names of the columns that the caller needs: GeoParquet reads no others.
 ///
 /// # Errors
 /// A sentence: the ending is another one, or the file cannot be read.
 pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
+    path.metadata().map_err(|error| missing::unopened(path, &error, &ALL_ENDINGS))?;
     quiet(|| open_unguarded(path, columns)).unwrap_or_else(|| Err("it is damaged".to_owned()))
 }
 

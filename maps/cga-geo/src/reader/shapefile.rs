@@ -24,9 +24,12 @@ const BUFFER: usize = 1 << 10;
 pub fn open(path: &Path) -> Result<MapFile, String> {
     let beside = |ending: &str| {
         let path = path.with_extension(ending);
-        File::open(&path)
-            .map(|file| BufReader::with_capacity(BUFFER, file))
-            .map_err(|why| format!("cannot read `{}`: {why}", path.display()))
+        File::open(&path).map(|file| BufReader::with_capacity(BUFFER, file)).map_err(|why| match why.kind() {
+            io::ErrorKind::NotFound => {
+                format!("`{}` is missing; a shapefile is `.shp`, `.shx` and `.dbf` in one folder", path.display())
+            }
+            _ => format!("cannot read `{}`: {why}", path.display()),
+        })
     };
     let index = path.with_extension("shx");
     if let Some(why) = cut_short(&index, &mut beside("shx")?)? {
