@@ -169,8 +169,9 @@ impl Network {
     /// ```
     /// use std::time::Duration;
     ///
-    /// use cga_runtime::run::watch::Watch;
-    /// use cga_street::{Centerline, Network, NetworkOptions, StreetError};
+    /// # mod cga { pub use cga_runtime::run::watch::Watch; pub use cga_street as street; }
+    /// use cga::Watch;
+    /// use cga::street::{Centerline, Network, NetworkOptions, StreetError};
     ///
     /// let lines = [Centerline::new(&[[0.0, 0.0], [50.0, 0.0]])];
     /// let network = Network::with_watch(&lines, &NetworkOptions::default(), &Watch::deadline(Duration::from_secs(5)))?;

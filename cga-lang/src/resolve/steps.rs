@@ -57,13 +57,16 @@ fn calls(name: &str, declared: &[&Decl]) -> String {
     list.join(" or ")
 }
 
-/// Returns true if two arguments may be one number with a comma.
-fn has_comma(first: &Arg, second: &Arg) -> bool {
-    let is_whole = |arg: &Arg| match arg.value.kind {
-        ExprKind::Number(value) => arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9,
-        _ => false,
+/// The help for two arguments that may be one number with a comma.
+fn comma(first: &Arg, second: &Arg) -> Option<String> {
+    let whole = |arg: &Arg| match arg.value.kind {
+        ExprKind::Number(value) if arg.prefix.is_none() && value.fract() == 0.0 && value < 1e9 => Some(value),
+        _ => None,
     };
-    is_whole(first) && is_whole(second)
+    let (first, second) = (whole(first)?, whole(second)?);
+    // The zeros of `1,000` are not in the value.
+    let number = if second == 0.0 { String::new() } else { format!(", write `{first}.{second}`") };
+    Some(format!("if it is one number{number}: `.` is the decimal point, and nothing separates thousands"))
 }
 
 impl<'a> Resolver<'_, 'a, '_> {
@@ -184,12 +187,12 @@ impl<'a> Resolver<'_, 'a, '_> {
             self.operation(&rows[..1], args);
         }
         if let [first, second] = args
-            && has_comma(first, second)
+            && let Some(help) = comma(first, second)
             && ops::operations(&name.text).any(|row| row.takes(1))
             && let Some(diag) = self.cx.diags.so_far().get_mut(before)
         {
             diag.span = first.span;
-            diag.help("if it is one number: `.` is the decimal point, and nothing separates thousands");
+            diag.help(help);
         }
     }
 
