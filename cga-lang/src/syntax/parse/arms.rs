@@ -1,9 +1,10 @@
 //! Arms: `{ selector : operations | selector = operations }`, and `comp` with values instead of operations.
 
+use super::report::AFTER_SELECTOR;
 use super::{Parsed, Parser, Reported};
 use crate::ops::{self, Braces};
 use crate::syntax::ast::{Arm, ArmMode, CompValue, Expr, ExprKind, Name, Op, OpKind};
-use crate::syntax::token::{Sym, Tok};
+use crate::syntax::token::Sym;
 
 /// The form of an arm in messages.
 const ARM: &str = "selector : operations";
@@ -68,15 +69,8 @@ impl Parser<'_> {
         if self.eat(Sym::Colon) {
             return Ok(ArmMode::Each);
         }
-        let help = match self.peek() {
-            Some(Tok::Sym(Sym::Comma)) => Some("write `||` between selectors".to_owned()),
-            Some(next @ Tok::Ident(_)) => Some(format!("write `:` before {}", next.describe())),
-            _ => None,
-        };
-        let diag = self.expected("`:` or `=` after the selector");
-        Err(match help {
-            Some(help) => diag.help(help).into(),
-            None => diag.into(),
-        })
+        let is_list = self.is(Sym::Comma);
+        let diag = self.expected(AFTER_SELECTOR);
+        Err(if is_list { diag.help("write `||` between selectors") } else { diag }.into())
     }
 }

@@ -79,14 +79,9 @@ impl Parser<'_> {
             Some(Tok::Ident(_)) => self.op_with_name()?,
             Some(Tok::Path(_)) => self.rust()?,
             Some(Tok::Sym(Sym::LBracket)) => self.brackets()?,
-            Some(&Tok::Number(percent)) if self.nth_is(1, Sym::Percent) => {
+            Some(Tok::Number(_)) if self.nth_is(1, Sym::Percent) => {
                 self.at += 2;
-                let next = self.peek().and_then(Tok::ident).map(|next| format!("write `{percent}% : {next}`"));
-                let diag = self.expected("`:`");
-                return Err(match next {
-                    Some(help) => diag.help(help).into(),
-                    None => diag.into(),
-                });
+                return self.fail("`:`");
             }
             Some(Tok::Host(_)) => {
                 return Err(self.expected(STEP).help("a Rust value is allowed in expressions only").into());

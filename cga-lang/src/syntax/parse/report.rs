@@ -17,6 +17,12 @@ pub(super) const STEP: &str = "an operation or a rule";
 /// The description of the end of an argument.
 pub(super) const LIST: &str = "`,` or `)`";
 
+/// The description of the end of a size.
+pub(super) const AFTER_SIZE: &str = "`:` after the size";
+
+/// The description of the end of a selector.
+pub(super) const AFTER_SELECTOR: &str = "`:` or `=` after the selector";
+
 /// The number of tokens in which the start of a list is looked for.
 const FAR: usize = 64;
 
@@ -129,6 +135,13 @@ impl Parser<'_> {
                 format!("put `|` between the parts of a split or comp; a rule begins with `{word} -->`")
             }
             Tok::Sym(Sym::Colon) if step => "put `|` between the parts of a split or comp".into(),
+            token @ (Tok::Ident(_) | Tok::Path(_)) if [AFTER_SIZE, AFTER_SELECTOR].contains(&what) => {
+                format!("write `:` before {}", token.describe())
+            }
+            Tok::Ident(name) if what == "`:`" && before.is_some_and(|token| token.is(Sym::Percent)) => {
+                let Some(Tok::Number(percent)) = self.before(2) else { return None };
+                format!("write `{percent}% : {name}`")
+            }
             Tok::Ident(_) => return self.cast(),
             Tok::Sym(Sym::LBrace) if what == "a value" => match (next, self.nth_is(2, Sym::RBrace)) {
                 (Some(Tok::Ident(name)), true) => format!("write `{name}`: a value has no braces"),
@@ -208,7 +221,7 @@ impl Parser<'_> {
     }
 
     /// Converts the previous number, if the current token is its unit.
-    fn number_with_unit(&self) -> Option<f64> {
+    pub(super) fn number_with_unit(&self) -> Option<f64> {
         let unit = self.peek().and_then(Tok::ident).filter(|_| !self.at_border())?;
         match self.before(1)? {
             Tok::Number(value) => without_unit(*value, unit),

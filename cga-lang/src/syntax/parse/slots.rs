@@ -1,5 +1,6 @@
 //! Slots: `{ size : operations | … }*`.
 
+use super::report::AFTER_SIZE;
 use super::{Parsed, Parser};
 use crate::diag::RELATIVE;
 use crate::diag::code::Code;
@@ -34,11 +35,13 @@ impl Parser<'_> {
         }
         let size = self.sized(true)?;
         if !self.eat(Sym::Colon) && !self.slipped_colon("the size") {
-            if !matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_))) {
-                return self.fail("`:` after the size");
+            let is_body = matches!(self.peek(), Some(Tok::Ident(_) | Tok::Path(_)))
+                && self.number_with_unit().is_none()
+                && !self.slot_has(|token| token.is(Sym::Colon));
+            let reported = self.expected(AFTER_SIZE).into();
+            if !is_body {
+                return Err(reported);
             }
-            let next = self.peek().map_or("nothing".into(), Tok::describe);
-            self.expected("`:` after the size").help(format!("write `:` before {next}"));
         }
         let ops = self.ops(false)?;
         Ok(SplitItem::Slot(size, ops))
