@@ -42,10 +42,11 @@ impl Placed {
 
     /// The same, after rounding errors along an axis are removed.
     pub(crate) fn flattened(mesh: Mesh) -> Self {
-        Placed::fitted(match flattened(mesh.points(), mesh.bounds()) {
-            Some(points) => mesh.with_points(points),
-            None => mesh,
-        })
+        let placed = Placed::fitted(mesh);
+        match flattened(placed.mesh.points(), placed.low, placed.size) {
+            Some(points) => Placed::fitted(placed.mesh.with_points(points)),
+            None => placed,
+        }
     }
 
     /// The mesh of a box or a rectangle.
@@ -90,11 +91,11 @@ impl PlacedWire {
 
     /// The same, after rounding errors along an axis are removed.
     pub(crate) fn flattened(wire: Wire) -> Self {
-        let bounds = Bounds::of(wire.points.iter().copied());
-        PlacedWire::fitted(match flattened(&wire.points, bounds) {
-            Some(points) => Wire { points, ..wire },
-            None => wire,
-        })
+        let placed = PlacedWire::fitted(wire);
+        match flattened(&placed.wire.points, placed.low, placed.size) {
+            Some(points) => PlacedWire::fitted(Wire { points, ..placed.wire }),
+            None => placed,
+        }
     }
 
     /// The wire in scope coordinates.
@@ -106,8 +107,7 @@ impl PlacedWire {
 
 /// Points that are flat along an axis except for rounding, made flat, because rules and operations test for sizes of zero. `None` if
 /// no axis needs it.
-fn flattened(points: &[DVec3], bounds: Bounds) -> Option<Vec<DVec3>> {
-    let size = bounds.size();
+fn flattened(points: &[DVec3], low: DVec3, size: DVec3) -> Option<Vec<DVec3>> {
     let flat = size.cmple(DVec3::splat(ANGLE_EPSILON * size.max_element())) & size.cmpgt(DVec3::ZERO);
-    (size.is_finite() && flat.any()).then(|| points.iter().map(|&p| DVec3::select(flat, bounds.low, p)).collect())
+    (size.is_finite() && flat.any()).then(|| points.iter().map(|&p| DVec3::select(flat, low, p)).collect())
 }
