@@ -12,6 +12,7 @@ pub mod pages;
 pub mod stopped;
 pub mod tree;
 pub mod tutorial;
+pub mod tutorial_pictures;
 
 #[path = "../examples/scenes/mod.rs"]
 pub mod scenes;

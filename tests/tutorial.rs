@@ -3,9 +3,6 @@
 use std::fmt::Write;
 use std::fs;
 
-use cga::{Assets, Settings, Shape};
-
-use crate::guide;
 use crate::tree::root;
 
 /// The steps that change rules between the braces of `cga!`.
@@ -47,40 +44,6 @@ impl Step {
     pub fn program_with(&self, grammar: &str) -> String {
         format!("{}\n{grammar}\n{}", self.uses, self.main)
     }
-}
-
-fn settings() -> Settings {
-    Settings { assets: Assets::below(root().join("docs/guide")).into(), ..Settings::default() }
-}
-
-/// The bytes of the picture that the program of a step writes.
-///
-/// # Panics
-/// If the run fails.
-pub fn written(step: usize) -> Vec<u8> {
-    let model = match step {
-        // The loaded rules.
-        11 => {
-            let house = guide::step_10::House { storeys: Some(3.0), ..Default::default() };
-            house.generate_with(&Shape::rectangle(11.0, 8.0).seed(1), &settings())
-        }
-        _ => guide::model(step, &settings()),
-    };
-    let mut png = Vec::new();
-    model.expect("a model").write_png_to(&mut png).expect("a picture");
-    png
-}
-
-/// The bytes of a step's picture in the tutorial, drawn again.
-///
-/// # Panics
-/// If the run fails.
-pub fn picture(step: usize) -> Vec<u8> {
-    let model = guide::model(step, &settings()).expect("a model");
-    assert_eq!(model.faults(), []);
-    let mut png = Vec::new();
-    guide::picture(step).render(&model).write_indexed_png_to(&mut png).expect("a picture");
-    png
 }
 
 /// The text of the tutorial.
@@ -146,4 +109,22 @@ pub fn steps() -> Vec<Step> {
         steps.push(step.clone());
     }
     steps
+}
+
+/// The programs that read the tutorial's files, by name: the last two steps with inline rules, the last with its rules in a file,
+/// and the program that loads them.
+///
+/// # Panics
+/// If the tutorial has another form.
+pub fn programs() -> [(&'static str, String); 4] {
+    let (text, steps) = (text(), steps());
+    let (_, loaded) = text.split_once("\n## 11. ").expect("step 11");
+    let [header, program] = blocks(loaded)[..] else { panic!("step 11 has two blocks") };
+    let [.., ninth, tenth] = &steps[..] else { panic!("ten steps") };
+    [
+        ("ninth", ninth.program()),
+        ("tenth", tenth.program()),
+        ("file", tenth.program_with(header)),
+        ("loaded", program.to_owned()),
+    ]
 }

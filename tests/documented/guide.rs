@@ -3,7 +3,8 @@
 use std::fs;
 
 use cga_tests::tree::root;
-use cga_tests::tutorial::{INLINE, picture};
+use cga_tests::tutorial::INLINE;
+use cga_tests::tutorial_pictures::picture;
 
 #[test]
 fn the_pictures_of_the_tutorial_show_the_models_of_today() {

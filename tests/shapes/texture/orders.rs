@@ -4,6 +4,7 @@ use cga::glam::DVec2;
 use cga::mesh::read_gltf;
 use cga::sink::buffers::Buffers;
 use cga::{MeshBuilder, Settings, Shape, cga};
+use rayon::prelude::*;
 
 use crate::collect::Leaves;
 
@@ -204,18 +205,17 @@ fn a_stored_set_and_a_function_are_not_both_applied() {
 
 #[test]
 fn pairs_of_operations_give_the_same_in_both_orders() {
-    for start in 0..STARTS {
-        for keep in 0..KEEPS {
-            for change in KEEPS..KEEPS + CHANGES {
-                let what = format!("start {start}, operations {keep} and {change}");
-                // The third step changes nothing else.
-                let [one, two] = [[keep, change, KEEPS], [change, keep, KEEPS]];
-                compare(&derived(start, one), &derived(start, two), &what);
-                compare_ways_out(start, one, &what);
-                compare_ways_out(start, two, &what);
-            }
-        }
-    }
+    let check = |start: u32, keep: u32, change: u32| {
+        let what = format!("start {start}, operations {keep} and {change}");
+        // The third step changes nothing else.
+        let [one, two] = [[keep, change, KEEPS], [change, keep, KEEPS]];
+        compare(&derived(start, one), &derived(start, two), &what);
+        compare_ways_out(start, one, &what);
+        compare_ways_out(start, two, &what);
+    };
+    (0..STARTS * KEEPS).into_par_iter().for_each(|at| {
+        (KEEPS..KEEPS + CHANGES).for_each(|change| check(at / KEEPS, at % KEEPS, change));
+    });
 }
 
 /// The number of random triples, which `CGA_TRIPLES` sets.
