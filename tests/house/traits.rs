@@ -6,7 +6,7 @@ use std::fs;
 use cga::mesh::{
     Bounds, EmbeddedImage, FaceRef, FaceTag, Flaw, GltfError, GltfFile, ObjError, ObjFile, TagSet, UvAxis, UvExtent,
 };
-use cga::sink::buffers::{Buffers, Chunks, Submesh, Vertex};
+use cga::sink::buffers::{BufferSize, Buffers, Chunks, Submesh, Vertex};
 use cga::sink::gltf::Glb;
 use cga::sink::meshes::{Granularity, MeshLeaf, Meshes, TriangleMesh};
 use cga::sink::obj::Obj;
@@ -52,7 +52,7 @@ macro_rules! each {
 
 #[test]
 fn public_types_have_the_common_traits() {
-    each!(data: Array<f64>, Attribute, AttributeKind, Batch<Model>, Batches<Model>, Bounds, Buffers, Building, ChoiceValues, Choices);
+    each!(data: Array<f64>, Attribute, AttributeKind, Batch<Model>, Batches<Model>, Bounds, BufferSize, Buffers, Building, ChoiceValues, Choices);
     each!(data: Collection, Color, FileList, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);

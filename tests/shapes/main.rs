@@ -12,6 +12,7 @@ mod glb_file;
 #[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 mod initial_meshes;
 mod instances;
+mod measured;
 mod mesh_operations;
 mod normals;
 mod placements;

@@ -16,6 +16,7 @@ use crate::fault::{Error, Fault};
 use crate::grammar::attribute::Attribute;
 use crate::grammar::kept_lots::KeptLots;
 use crate::grammar::{Grammar, lots};
+use crate::output::buffers::size::{BufferSize, Measuring};
 use crate::output::model::Model;
 use crate::run::derive::{self, Derivation, Kept, NoResult, RunOutcome, Start};
 use crate::run::ghost::leaf_sink::LeafGhost;
@@ -101,6 +102,29 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
         let mut model = Model::new();
         let report = DynSession::run(self, shape, &mut model)?;
         Ok(model.with_report(report).with_assets(self.settings.assets.clone()))
+    }
+
+    /// The size of the buffers that a run on a shape fills, for memory that is allocated once. It takes a run without output, which is a small
+    /// part of a run where rules repeat: about 5 ns a leaf from templates. Meshes are cut into triangles as for the buffers.
+    ///
+    /// ```
+    /// use cga_runtime::facade as cga;
+    /// # fn buffers<G: cga::rules::Rules + cga::Grammar + Clone>(grammar: &G, shape: &cga::Shape) -> Result<(), cga::Error> {
+    /// use cga::sink::buffers::Buffers;
+    ///
+    /// let mut session = cga::Session::new(grammar, &cga::Settings::default())?;
+    /// let size = session.measure(shape)?;
+    /// let mut buffers = Buffers::with_capacity(size.vertices, size.indices);
+    /// session.run(shape, &mut buffers)?;
+    /// assert_eq!((size.vertices, size.indices), (buffers.vertices().len(), buffers.indices().len()));
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// As [`run`](Session::run).
+    pub fn measure(&mut self, shape: &Shape) -> Result<BufferSize, Error> {
+        DynSession::measure(self, shape)
     }
 
     /// Runs on a shape among shapes of other initial shapes, without echo.
@@ -194,6 +218,18 @@ pub trait DynSession {
     /// # Errors
     /// See [`Error`].
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error>;
+
+    /// The size of the buffers that a run on a shape fills; see [`Session::measure`].
+    ///
+    /// # Errors
+    /// See [`Error`].
+    fn measure(&mut self, shape: &Shape) -> Result<BufferSize, Error> {
+        let mut measuring = Measuring::default();
+        match self.outcome(shape, None, &mut measuring).error {
+            Some(error) => Err(error),
+            None => Ok(measuring.size),
+        }
+    }
 
     /// Runs on a shape among shapes of other initial shapes, without echo, and keeps the report of a run that fails.
     #[doc(hidden)]

@@ -30,6 +30,12 @@ impl Color {
     /// CGA's default colour.
     pub const WHITE: Color = Color { r: 1.0, g: 1.0, b: 1.0 };
 
+    /// The channel of an open colour, which no channel of a colour has.
+    const OPEN_CHANNEL: f64 = -1e300;
+
+    /// The colour of a template that each repetition paints.
+    const OPEN: Color = Color { r: Color::OPEN_CHANNEL, g: Color::OPEN_CHANNEL, b: Color::OPEN_CHANNEL };
+
     /// A colour of three channels, clamped to 0..=1. NaN counts as 0.
     pub fn new(r: f64, g: f64, b: f64) -> Self {
         let clamp = |c: f64| if c.is_nan() { 0.0 } else { c.clamp(0.0, 1.0) };
@@ -87,6 +93,29 @@ impl Material {
         let mut material = Material::UNSET;
         change(&mut material);
         material
+    }
+
+    /// The material with an open colour in place of its own, if it has one.
+    pub(crate) fn open(&self) -> Option<Material> {
+        self.color.map(|_| Material { color: Some(Color::OPEN), ..self.clone() })
+    }
+
+    /// Returns true if both materials have a colour, and all else is equal.
+    pub(crate) fn differs_in_color(&self, other: &Material) -> bool {
+        let Material { name, color, opacity, texture, metallic, roughness, double_sided, more } = self;
+        color.is_some()
+            && other.color.is_some()
+            && (opacity, metallic, roughness) == (&other.opacity, &other.metallic, &other.roughness)
+            && (name, texture, more) == (&other.name, &other.texture, &other.more)
+            && *double_sided == other.double_sided
+    }
+
+    /// The material with the channels of `color` in place of open ones, if it has some.
+    pub(crate) fn painted(&self, color: Color) -> Option<Material> {
+        let own = self.color.filter(|own| [own.r, own.g, own.b].contains(&Color::OPEN_CHANNEL))?;
+        let channel = |own: f64, painted: f64| if own == Color::OPEN_CHANNEL { painted } else { own };
+        let [r, g, b] = [channel(own.r, color.r), channel(own.g, color.g), channel(own.b, color.b)];
+        Some(Material { color: Some(Color { r, g, b }), ..self.clone() })
     }
 
     /// Adds the set attributes to a hash.

@@ -8,12 +8,14 @@ mod buildings;
 mod chunk_result;
 mod chunks;
 mod replayed;
+pub(crate) mod size;
 mod submesh;
 mod uvs;
 
 pub use super::triangles::Vertex;
 pub use chunk_result::ChunkResult;
 pub use chunks::Chunks;
+pub use size::BufferSize;
 pub use submesh::Submesh;
 
 use std::ops::ControlFlow;

@@ -58,8 +58,8 @@ impl Base {
         Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant }
     }
 
-    /// A base at the origin for a part that is moved there, with its axes or the axes of the world.
-    pub(crate) fn at_origin(part: &ShapeRef<'_>, keeps_axes: bool) -> Self {
+    /// A base at the origin for a part that is moved there, with another look, and with its axes or the axes of the world.
+    pub(crate) fn at_origin(part: &ShapeRef<'_>, look: LookId, keeps_axes: bool) -> Self {
         let axes = if keeps_axes { part.axes.matrix } else { DMat3::IDENTITY };
         let scope = Scope { axes, ..Scope::new(part.size.get()) };
         let shape = Shape {
@@ -73,7 +73,7 @@ impl Base {
             trims: Trims::None,
             state: part.base.shape.state.clone(),
         };
-        Base { constant: part.base.constant, ..Base::new(shape, part.look.get()) }
+        Base { constant: part.base.constant, ..Base::new(shape, look) }
     }
 
     #[inline]

@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use super::look::Look;
 use crate::fixed_hash::FixedState;
+use crate::material::Color;
 use crate::shape::state::UNSET;
 
 /// The number of a look in the run.
@@ -83,6 +84,10 @@ pub(crate) struct LookIds {
     by_address: BTreeMap<u64, LookId>,
     /// The numbers by the hash of the look.
     by_hash: HashMap<u64, Vec<LookId>, FixedState>,
+    /// The same looks with an open colour, by number, where they are known.
+    open: Vec<Option<LookId>>,
+    /// The last of them that was made.
+    last_open: Option<LookId>,
     /// The looks with temporary numbers, sorted by number.
     temporary: Vec<(LookId, Arc<Look>)>,
     /// The number of temporary numbers so far.
@@ -107,6 +112,8 @@ impl Default for LookIds {
             by_address: BTreeMap::from([(address(&unset), LookId(0))]),
             by_hash: HashMap::from_iter([(unset.hash(), vec![LookId(0)])]),
             list: vec![unset],
+            open: Vec::new(),
+            last_open: None,
             temporary: Vec::new(),
             made: 0,
             lasting: Changes::default(),
@@ -199,6 +206,49 @@ impl LookIds {
         self.made += 1;
         self.temporary.push((id, look.clone()));
         id
+    }
+
+    /// The number of the same look with an open colour. The number itself if the look has no colour, or if there is no room.
+    pub(crate) fn open(&mut self, id: LookId) -> LookId {
+        if let Some(&Some(open)) = self.open.get(id.index() as usize) {
+            return open;
+        }
+        self.found_open(id)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn found_open(&mut self, id: LookId) -> LookId {
+        let Some(look) = self.get(id).cloned() else { return id };
+        let is_like = |open: &LookId| {
+            let open = &self.list[open.index() as usize];
+            open.material.differs_in_color(&look.material) && open.coordinates == look.coordinates
+        };
+        let open = self.last_open.filter(is_like).or_else(|| {
+            let open = Look { material: Arc::new(look.material.open()?), coordinates: look.coordinates.clone() };
+            self.last_open = Some(self.number(&Arc::new(open))).filter(|open| *open != LookId::OF_BASE);
+            self.last_open
+        });
+        let open = open.unwrap_or(id);
+        if id.is_lasting() {
+            self.open.resize(self.list.len(), None);
+            self.open[id.index() as usize] = Some(open);
+        }
+        open
+    }
+
+    /// Returns true if the colour of a look is open.
+    pub(crate) fn is_open(&self, id: LookId) -> bool {
+        self.get(id).is_some_and(|look| look.material.painted(Color::WHITE).is_some())
+    }
+
+    /// The number of a look after its open colour became the colour of another look. It is temporary if there is no room.
+    pub(crate) fn painted(&mut self, id: LookId, own: LookId) -> LookId {
+        let color = self.get(own).and_then(|look| look.material.color);
+        let Some((look, color)) = self.get(id).zip(color) else { return id };
+        let Some(material) = look.material.painted(color) else { return id };
+        let painted = Look { material: Arc::new(material), coordinates: look.coordinates.clone() };
+        self.number_at_least_for_now(&Arc::new(painted))
     }
 
     /// The number of temporary numbers in use.
@@ -305,6 +355,42 @@ mod tests {
         assert!(ids.changed(place, LookId(0)).is_some());
         ids.begin();
         assert!(ids.changed(place, LookId(0)).is_none());
+    }
+
+    /// A look with a colour and an opacity.
+    fn coloured(r: f64, opacity: f64) -> Arc<Look> {
+        let material = Material { color: Some(Color::new(r, 0.2, 0.3)), opacity: Some(opacity), ..Material::default() };
+        Arc::new(Look { material: Arc::new(material), ..Look::default() })
+    }
+
+    #[test]
+    fn looks_that_differ_in_colour_have_one_look_with_an_open_colour() {
+        let mut ids = LookIds::default();
+        let [red, dark, clear] = [(1.0, 1.0), (0.1, 1.0), (1.0, 0.5)].map(|(r, a)| ids.number(&coloured(r, a)));
+        let open = ids.open(red);
+        assert!(open != red && ids.is_open(open) && !ids.is_open(red));
+        assert!(ids.open(dark) == open && ids.open(clear) != open && ids.open(open) == open);
+        assert_eq!([red, dark].map(|own| ids.painted(open, own)), [red, dark]);
+        // A rule has set one channel.
+        let mut material = Material::clone(&ids.get(open).unwrap().material);
+        material.set_number(crate::material::MaterialNumber::Color(crate::material::Channel::R), 0.1);
+        let part = ids.number(&Arc::new(Look { material: Arc::new(material), ..Look::default() }));
+        assert!(ids.is_open(part));
+        assert_eq!(ids.painted(part, red), dark);
+        // Looks without a colour stay as they are.
+        let plain = ids.number(&named(1));
+        assert_eq!((ids.open(plain), ids.open(LookId(0))), (plain, LookId(0)));
+    }
+
+    #[test]
+    fn a_full_table_has_no_more_open_colours() {
+        let mut ids = LookIds::default();
+        let own = ids.number(&coloured(1.0, 1.0));
+        (0..MOST_OTHERS).for_each(|number| _ = ids.number(&named(number)));
+        assert_eq!(ids.open(own), own);
+        let other = ids.number_at_least_for_now(&coloured(0.5, 1.0));
+        assert!(!other.is_lasting());
+        assert_eq!(ids.open(other), other);
     }
 
     #[test]

@@ -15,6 +15,14 @@ cga! {
     Drawn    --> split(x) { { 1 : Pane }* }
     Pane     --> split(y) { ~1 : Lit | ~1 : X. }
     Lit      --> 50% : Y. else : Z.
+    // Walls of many colours, with parts that keep the colour, one channel of it, or nothing.
+    Many     --> split(x) { { ~0.5 : color(rand(1), rand(1), rand(1)) Row }* | 1 : Row | 1 : color("#ffffff") Row }
+    Row      --> split(y) { { ~1 : Kept }* | { 0.3 : Channel }* | { 0.3 : Given("#00ff00", 0.5) }* | { 0.3 : Asked }* }
+    Kept     --> split(x) { ~1 : X. | ~1 : set(material.roughness, 0.5) X. | ~1 : color("#ff0000") Y. | ~1 : Held }
+    Channel  --> split(x) { ~1 : set(material.color.g, 0.5) X. | ~1 : set(material.color.rgb, "#123456") X. }
+    Given(c, n) --> color(c) split(x) { ~1 : set(material.opacity, n) X. | ~1 : set(material.color.b, n) X. }
+    Held     --> split(y) { ~1 : Lit | ~1 : extrude(0.1) Lit }
+    Asked    --> case material.color.r > 0.5 : X. else : Y.
 }
 
 /// The size, the material, and the tags of the faces of each leaf.
@@ -25,7 +33,7 @@ fn leaves(rule: &str, shape: &Shape, repeats: Repeats) -> Vec<String> {
     let leaf = |leaf: cga::LeafView<'_>| {
         let (mesh, _) = leaf.mesh();
         let tags: Vec<_> = mesh.faces().map(|face| mesh.tag_sets().get(face.tag().tags as usize).cloned()).collect();
-        format!("{} {:.6} {:?} {tags:?}", leaf.rule(), leaf.scope().size, leaf.material().color)
+        format!("{} {:.6} {:?} {tags:?}", leaf.rule(), leaf.scope().size, leaf.material())
     };
     model.leaves().map(leaf).collect()
 }
@@ -55,4 +63,11 @@ fn a_repetition_with_another_material_is_another_part() {
 #[test]
 fn a_hole_draws_from_the_seed_of_its_repetition() {
     assert_eq!(kinds("Drawn", &Shape::cuboid(20.0, 3.0, 2.0).seed(7)), 3);
+}
+
+#[test]
+fn a_repetition_has_the_colour_of_its_wall() {
+    let kinds = kinds("Many", &Shape::cuboid(20.0, 9.0, 2.0).seed(3));
+    // About eight for each of 38 walls.
+    assert!(250 < kinds, "{kinds}");
 }

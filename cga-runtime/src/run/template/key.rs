@@ -21,7 +21,8 @@ pub(super) struct TemplateKey {
     size: DVec3,
     form: Form,
     unit: UnitMesh,
-    look: LookId,
+    /// The look of the recorded shape; its colour is open if the template is painted.
+    pub(super) look: LookId,
     /// The axes along which coordinates are constant. A move along another axis makes a shape with another base.
     constant: [bool; 3],
     /// The switches of trim planes, which faces below the shape have.
@@ -32,13 +33,13 @@ pub(super) struct TemplateKey {
 }
 
 impl TemplateKey {
-    pub(super) fn of(slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>) -> Self {
+    pub(super) fn of(slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>, look: LookId) -> Self {
         TemplateKey {
             place: slot.place,
             size: part.size.get(),
             form: part.form,
             unit: part.unit.get(),
-            look: part.look.get(),
+            look,
             constant: part.base.constant(),
             trim: part.base.shape.state.trim(),
             axes: slot.reads_axes.then_some(part.axes.matrix),
@@ -46,10 +47,10 @@ impl TemplateKey {
         }
     }
 
-    pub(super) fn fits(&self, slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>) -> bool {
+    pub(super) fn fits(&self, slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>, look: LookId) -> bool {
         self.place == slot.place
             && self.size == part.size.get()
-            && self.look == part.look.get()
+            && self.look == look
             && self.constant == part.base.constant()
             && self.trim == part.base.shape.state.trim()
             && self.form == part.form
@@ -59,12 +60,12 @@ impl TemplateKey {
     }
 
     /// The hash of what [`TemplateKey::fits`] compares, without what follows from the rest almost always.
-    pub(super) fn hash(slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>) -> u64 {
+    pub(super) fn hash(slot: &RepeatedSlot<'_>, part: &ShapeRef<'_>, look: LookId) -> u64 {
         let mut hasher = FixedHasher::default();
         slot.place.hash(&mut hasher);
         // Zero and minus zero are equal.
         part.size.get().to_array().map(|extent| (extent + 0.0).to_bits()).hash(&mut hasher);
-        part.look.get().0.hash(&mut hasher);
+        look.0.hash(&mut hasher);
         if slot.reads_axes {
             part.axes.matrix.to_cols_array().map(f64::to_bits).hash(&mut hasher);
         }

@@ -10,11 +10,14 @@
 //! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault makes no template, and is
 //! run like any other.
 //!
+//! A template of rectangles and boxes is recorded without the colour of its shape, and painted at its places.
+//!
 //! Leaves that do not fill their scopes are kept as meshes with their places. Where a base has trim planes, and what was inserted reaches
 //! one of them, a repetition runs like any other.
 
 mod key;
 mod mesh_leaf;
+mod paint;
 mod part_id;
 mod read;
 mod record;
@@ -38,12 +41,13 @@ use crate::run::env::records::TapedReport;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::shape::look_id::LookId;
+use crate::shape::look_id::{LookId, LookIds};
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 
 use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
+use paint::Paint;
 pub use part_id::PartId;
 use read::KeptRead;
 pub use read::Read;
@@ -58,6 +62,9 @@ const KEPT: usize = 1 << 17;
 /// The number of axes for which a template is kept turned, the last new ones: four for buildings along the axes of
 /// the world.
 const KEPT_AXES: usize = 4;
+
+/// The number of looks for which a template is kept painted, the last new ones.
+const KEPT_PAINTS: usize = 4;
 
 /// The largest number of leaves, and of holes, in a template. The leaves of small templates stay in the nearest cache
 /// while they are written again and again.
@@ -81,6 +88,8 @@ struct TemplateEntry<C> {
     template: Option<Rc<Template<C>>>,
     /// The template turned to the axes of bases.
     turned: Vec<Rc<Turned>>,
+    /// The paints of the template by the look of the part; `None` for all looks.
+    paints: Vec<(Option<LookId>, Rc<Paint>)>,
 }
 
 /// The result of a rigid rule on a shape at the origin.
@@ -93,6 +102,8 @@ struct Template<C> {
     reach: Option<Bounds>,
     /// The values that it depends on.
     reads: Box<[KeptRead]>,
+    /// Its looks with an open colour.
+    open: Box<[LookId]>,
     /// False if some looks have temporary numbers.
     is_lasting: bool,
 }
@@ -119,8 +130,6 @@ enum TemplateBreak<C> {
 /// The leaves of a template that fill their scopes.
 #[derive(Debug)]
 struct TemplateBody {
-    /// The number of the template in the process.
-    number: u64,
     /// True if it has the axes of the base, and false if it has the axes of the world.
     is_turned: bool,
     leaves: Vec<TemplateLeaf>,
@@ -225,6 +234,13 @@ struct TurnedBreak {
     placement: DAffine3,
 }
 
+/// A template, turned and painted for a part.
+struct Found<C> {
+    template: Rc<Template<C>>,
+    turned: Rc<Turned>,
+    paint: Rc<Paint>,
+}
+
 /// The counters of the recorded shape. A hole with these counters gets the counters of the repetition.
 const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
@@ -240,12 +256,12 @@ impl<C> Templates<C> {
         &mut self,
         hash: u64,
         slot: &RepeatedSlot<'_>,
-        part: &ShapeRef<'_>,
+        (part, look): (&ShapeRef<'_>, LookId),
         too_small: f64,
     ) -> Option<&mut TemplateEntry<C>> {
         let is_equal = |known: f64| known == too_small || known.is_nan();
         let list = self.entries.get_mut(&hash)?;
-        list.iter_mut().find(|entry| is_equal(entry.too_small) && entry.key.fits(slot, part))
+        list.iter_mut().find(|entry| is_equal(entry.too_small) && entry.key.fits(slot, part, look))
     }
 
     fn keep(&mut self, hash: u64, entry: TemplateEntry<C>) {
@@ -280,6 +296,23 @@ impl<C> TemplateEntry<C> {
         }
         self.turned.push(turned.clone());
         Some((template, turned, true))
+    }
+
+    /// The paint of the template for parts with a look, if there is a template.
+    fn paint(&mut self, own: LookId, ids: &mut LookIds) -> Option<Rc<Paint>> {
+        let open = &self.template.as_ref()?.open;
+        let look = (!open.is_empty()).then_some(own);
+        if let Some((_, known)) = self.paints.iter().find(|(known, _)| *known == look) {
+            return Some(known.clone());
+        }
+        let paint = Rc::new(Paint::new(open, self.key.look, own, ids));
+        if paint.is_lasting {
+            if self.paints.len() == KEPT_PAINTS {
+                self.paints.remove(0);
+            }
+            self.paints.push((look, paint.clone()));
+        }
+        Some(paint)
     }
 }
 

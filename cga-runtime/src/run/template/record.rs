@@ -3,7 +3,6 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use glam::{DAffine3, DMat3};
 
@@ -12,8 +11,8 @@ use super::mesh_leaf::{LeafGeometry, MeshLeaf};
 use super::slot::RepeatedSlot;
 use super::tape::Tape;
 use super::{
-    Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateBreak, TemplateCounts,
-    TemplateEntry, TemplateLeaf, Templates, Turned,
+    Found, Hole, INHERITED, LeafRange, LeafRow, MOST, Mark, Template, TemplateBody, TemplateBreak, TemplateCounts,
+    TemplateEntry, TemplateLeaf, Templates,
 };
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
@@ -26,9 +25,6 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
-
-/// The number of the next template. Numbers distinguish the templates of all sessions, and are in no output.
-static NUMBER: AtomicU64 = AtomicU64::new(1);
 
 /// The call of a rule on a part that repeats.
 pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
@@ -141,26 +137,27 @@ impl<C: Clone> Cx<'_, C> {
         Flow::Continue(())
     }
 
-    /// Makes the template for a shape with that hash and keeps it, or keeps the knowledge that there is none.
+    /// Makes the template for a shape with that hash and keeps it, or keeps the knowledge that there is none. It is recorded with the look
+    /// `look`.
     #[cold]
     #[inline(never)]
     pub(super) fn prepare(
         &mut self,
         hash: u64,
         slot: RepeatedSlot<'_>,
-        part: &ShapeRef<'_>,
+        (part, look): (&ShapeRef<'_>, LookId),
         rule: PartFn<'_, C>,
-    ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+    ) -> Option<Found<C>> {
         let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
-        let key = TemplateKey::of(&slot, part);
-        let template = self.record(slot, part, rule, 0).and_then(|mut template| {
+        let key = TemplateKey::of(&slot, part, look);
+        let template = self.record(slot, (part, look), rule, 0).and_then(|mut template| {
             template.reads.clone_from(&key.reads);
             if !template.breaks.iter().any(|own| matches!(own, TemplateBreak::Hole(_))) {
                 return Ok(template);
             }
             // A seed is affine in the seed of the repetition: two points determine the line.
-            let other = self.record(slot, part, rule, 1)?;
+            let other = self.record(slot, (part, look), rule, 1)?;
             for pair in template.breaks.iter_mut().zip(&other.breaks) {
                 if let (TemplateBreak::Hole(hole), TemplateBreak::Hole(other)) = pair {
                     let [_, at_zero] = hole.seed;
@@ -175,9 +172,12 @@ impl<C: Clone> Cx<'_, C> {
         let too_small = if no_matter { f64::NAN } else { too_small };
         // Another run of the session may have room for it.
         let is_ended = matches!(template, Err(Lost::Ended));
-        let mut entry = TemplateEntry { key, too_small, template: template.ok().map(Rc::new), turned: Vec::new() };
-        let found = entry.turned(part.axes).map(|(template, turned, _)| (template, turned));
-        let is_lasting = part.look.get().is_lasting() && found.as_ref().is_none_or(|(template, _)| template.is_lasting);
+        let template = template.ok().map(Rc::new);
+        let is_lasting = look.is_lasting() && template.as_ref().is_none_or(|template| template.is_lasting);
+        let mut entry = TemplateEntry { key, too_small, template, turned: Vec::new(), paints: Vec::new() };
+        let turned = entry.turned(part.axes).map(|(template, turned, _)| (template, turned));
+        let paint = entry.paint(part.look.get(), &mut self.env.leaf_tables.looks);
+        let found = turned.zip(paint).map(|((template, turned), paint)| Found { template, turned, paint });
         if self.env.settings.repeats == Repeats::Kept && !is_ended && is_lasting {
             self.templates.keep(hash, entry);
         }
@@ -188,13 +188,13 @@ impl<C: Clone> Cx<'_, C> {
     fn record(
         &mut self,
         slot: RepeatedSlot<'_>,
-        part: &ShapeRef<'_>,
+        (part, look): (&ShapeRef<'_>, LookId),
         rule: PartFn<'_, C>,
         seed: u64,
     ) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
-        let base = Base::at_origin(part, slot.reads_axes);
+        let base = Base::at_origin(part, look, slot.reads_axes);
         let frames = vec![base.axes().matrix];
         let mut recorder =
             Recorder { base: &base, is_whole: slot.is_whole, leaves: Vec::new(), frames, others: Vec::new() };
@@ -234,9 +234,7 @@ impl<C: Clone> Cx<'_, C> {
         if !is_complete || !is_quiet || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
-        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
         let body = TemplateBody {
-            number,
             is_turned: !slot.reads_axes,
             leaves,
             frames: frames.into_iter().map(Axes::new).collect(),
@@ -244,11 +242,21 @@ impl<C: Clone> Cx<'_, C> {
             marks: Vec::new(),
             rows: Vec::new(),
         };
-        let looks = body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
-        let is_lasting = looks.into_iter().all(LookId::is_lasting);
+        let looks = || body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
+        let is_lasting = looks().all(LookId::is_lasting);
+        let mut open: Vec<LookId> = Vec::new();
+        // Other templates have no open colour.
+        if !slot.is_whole {
+            for look in looks() {
+                if !open.contains(&look) && self.env.leaf_tables.looks.is_open(look) {
+                    open.push(look);
+                }
+            }
+        }
         let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
-        Ok(Template { counts, body: body.divided(ends.into_iter()), breaks, reach, reads: Box::default(), is_lasting })
+        let (body, reads, open) = (body.divided(ends.into_iter()), Box::default(), open.into());
+        Ok(Template { counts, body, breaks, reach, reads, open, is_lasting })
     }
 }
 

@@ -1,7 +1,6 @@
 //! Repetitions of a template: its leaves go to the sink, its holes are called.
 
 use std::cell::Cell;
-use std::rc::Rc;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -11,7 +10,7 @@ use super::read;
 use super::record::PartFn;
 use super::replay::Replay;
 use super::slot::RepeatedSlot;
-use super::{Hole, INHERITED, Template, TemplateBreak, TemplateCounts, Turned};
+use super::{Found, Hole, INHERITED, TemplateBreak, TemplateCounts};
 use crate::geometry::Axis;
 use crate::geometry::mesh::Bounds;
 use crate::geometry::tol::PLANAR_EPSILON;
@@ -34,8 +33,7 @@ struct LastTemplate<C> {
     /// The extent and the unit mesh of the last repetition.
     extent: f64,
     unit: UnitMesh,
-    template: Rc<Template<C>>,
-    turned: Rc<Turned>,
+    found: Found<C>,
     /// The trim planes of the base that may cut the template.
     planes: Option<Arc<[TrimPlane]>>,
 }
@@ -51,7 +49,7 @@ impl<C> LastTemplate<C> {
     /// Returns true if a trim plane of the base may cut the template at a part.
     #[inline]
     fn is_cut(&self, part: &ShapeRef<'_>) -> bool {
-        match (&self.template.reach, &self.planes) {
+        match (&self.found.template.reach, &self.planes) {
             (Some(reach), Some(planes)) => planes.iter().any(|plane| is_beyond(plane, part, reach)),
             _ => false,
         }
@@ -96,7 +94,7 @@ impl<C: Clone> Cx<'_, C> {
         let (extent, unit) = (part.size.along(axis), part.unit.get());
         match &last.0 {
             Some(last)
-                if last.extent == extent && last.unit.is(unit) && read::are(&last.template.reads, slot.reads) =>
+                if last.extent == extent && last.unit.is(unit) && read::are(&last.found.template.reads, slot.reads) =>
             {
                 self.replay_within(last, g, part, rule, resume)
             }
@@ -115,7 +113,7 @@ impl<C: Clone> Cx<'_, C> {
         resume: ResumeFn<G, C>,
     ) -> Flow {
         let (look, temporary) = (part.look.get(), self.env.leaf_tables.looks.temporary_count());
-        let Some((template, turned)) = self.template(slot, part, rule) else {
+        let Some(found) = self.template(slot, part, rule) else {
             *last = Last(None);
             if !part.look.get().is_lasting() {
                 part.look.set(look);
@@ -124,10 +122,10 @@ impl<C: Clone> Cx<'_, C> {
             return rule(self, part);
         };
         let base = &part.base.shape;
-        let planes = template.reach.map(|_| base.trims.planes(&base.pivot));
-        let new = LastTemplate { extent, unit: part.unit.get(), template, turned, planes };
+        let planes = found.template.reach.map(|_| base.trims.planes(&base.pivot));
+        let new = LastTemplate { extent, unit: part.unit.get(), found, planes };
         let flow = self.replay_within(&new, g, part, rule, resume);
-        let is_lasting = new.template.is_lasting;
+        let is_lasting = new.found.template.is_lasting && new.found.paint.is_lasting;
         *last = Last(is_lasting.then_some(new));
         if !is_lasting {
             part.look.set(look);
@@ -137,12 +135,7 @@ impl<C: Clone> Cx<'_, C> {
     }
 
     /// The template for a part, whose look gets a number.
-    fn template(
-        &mut self,
-        slot: RepeatedSlot<'_>,
-        part: &ShapeRef<'_>,
-        rule: PartFn<'_, C>,
-    ) -> Option<(Rc<Template<C>>, Rc<Turned>)> {
+    fn template(&mut self, slot: RepeatedSlot<'_>, part: &ShapeRef<'_>, rule: PartFn<'_, C>) -> Option<Found<C>> {
         let is_filled = matches!(part.form, Form::Rect(_) | Form::Box);
         let is_direct = self.env.settings.repeats == Repeats::Direct;
         if self.tape.is_some() || is_direct || !is_filled || !std::ptr::eq(part.axes, part.base.axes()) {
@@ -157,16 +150,20 @@ impl<C: Clone> Cx<'_, C> {
                 return None;
             }
         }
-        let hash = TemplateKey::hash(&slot, part);
-        match self.templates.find(hash, &slot, part, self.env.too_small) {
+        let looks = &mut self.env.leaf_tables.looks;
+        let own = part.look.get();
+        let look = if slot.is_whole { own } else { looks.open(own) };
+        let hash = TemplateKey::hash(&slot, part, look);
+        match self.templates.find(hash, &slot, (part, look), self.env.too_small) {
             Some(entry) => {
                 let (template, turned, is_new) = entry.turned(part.axes)?;
+                let paint = entry.paint(own, looks)?;
                 if is_new {
                     self.templates.make_room(template.len());
                 }
-                Some((template, turned))
+                Some(Found { template, turned, paint })
             }
-            None => self.prepare(hash, slot, part, rule),
+            None => self.prepare(hash, slot, (part, look), rule),
         }
     }
 
@@ -179,7 +176,7 @@ impl<C: Clone> Cx<'_, C> {
         rule: PartFn<'_, C>,
         resume: ResumeFn<G, C>,
     ) -> Flow {
-        let LastTemplate { template, turned, .. } = last;
+        let Found { template, turned, paint } = &last.found;
         let TemplateCounts { shapes, room, meshes } = template.counts;
         if last.is_cut(part) {
             return rule(self, part);
@@ -200,10 +197,12 @@ impl<C: Clone> Cx<'_, C> {
         for segment in &body.segments {
             if !segment.leaves.is_empty() {
                 self.env.filled += segment.leaves.len() as u64;
-                self.sink.replay(&Replay { part, tables: &self.env.leaf_tables, body, turned, segment })?;
+                self.sink.replay(&Replay { part, tables: &self.env.leaf_tables, body, turned, paint, segment })?;
             }
             match breaks.next() {
-                Some((TemplateBreak::Hole(hole), at)) => self.fill(hole, part.origin() + at.origin, g, part, resume)?,
+                Some((TemplateBreak::Hole(hole), at)) => {
+                    self.fill(hole, (part.origin() + at.origin, paint.of(hole.look)), g, part, resume)?;
+                }
                 Some((TemplateBreak::Leaf(leaf), at)) => {
                     self.env.leaves += 1;
                     leaf.pass(self.sink, part.origin(), at)?;
@@ -221,7 +220,14 @@ impl<C: Clone> Cx<'_, C> {
     }
 
     /// Calls the rule of a hole.
-    fn fill<G>(&mut self, hole: &Hole<C>, origin: DVec3, g: &G, part: &ShapeRef<'_>, resume: ResumeFn<G, C>) -> Flow {
+    fn fill<G>(
+        &mut self,
+        hole: &Hole<C>,
+        (origin, look): (DVec3, LookId),
+        g: &G,
+        part: &ShapeRef<'_>,
+        resume: ResumeFn<G, C>,
+    ) -> Flow {
         let [factor, sum] = hole.seed;
         let shape = ShapeRef {
             origin: Cell::new(origin.extend(0.0)),
@@ -229,7 +235,7 @@ impl<C: Clone> Cx<'_, C> {
             axes: if hole.is_raised { part.base.raised() } else { part.axes },
             unit: Cell::new(hole.unit),
             form: hole.form,
-            look: Cell::new(hole.look),
+            look: Cell::new(look),
             seed: Cell::new(Seed::new(part.seed.get().value().wrapping_mul(factor).wrapping_add(sum))),
             split: Cell::new(if hole.split == INHERITED { part.split.get() } else { hole.split }),
             base: part.base,

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use glam::{DAffine3, DMat3, DVec4};
 
+use super::paint::Paint;
 use super::part_id::PartId;
 use super::{LeafRange, LeafRow, Mark, TemplateBody, TemplateLeaf, Turned};
 use crate::run::sink::corners::{PlacedBox, four};
@@ -67,6 +68,7 @@ pub struct Replay<'a> {
     pub(super) tables: &'a LeafTables,
     pub(super) body: &'a TemplateBody,
     pub(super) turned: &'a Turned,
+    pub(super) paint: &'a Paint,
     pub(super) segment: &'a LeafRange,
 }
 
@@ -89,7 +91,7 @@ impl<'a> Replay<'a> {
 
     /// The identity of the part, which does not depend on its place.
     pub fn part(&self) -> PartId {
-        PartId { template: self.body.number, segment: self.segment.leaves.start }
+        PartId { template: self.paint.number, segment: self.segment.leaves.start }
     }
 
     /// The map from the coordinates of the part to the world: a rotation and a translation.
@@ -123,7 +125,7 @@ impl<'a> Replay<'a> {
             shape.axes = &axes[record.frame as usize];
             shape.unit.set(record.unit);
             shape.form = record.form;
-            shape.look.set(record.look);
+            shape.look.set(self.paint.of(record.look));
             sink.filled(&Filled { shape: &shape, tables: self.tables, rule: record.rule })?;
         }
         Flow::Continue(())
@@ -136,18 +138,16 @@ impl<'a> Replay<'a> {
 
     /// The numbers of the template and of the segment. Parts with equal numbers differ only in their place and axes.
     pub(crate) fn number(&self) -> (u64, usize) {
-        (self.body.number, self.segment.leaves.start)
+        (self.paint.number, self.segment.leaves.start)
     }
 
     /// The groups of consecutive leaves with equal rule and look, each with its first leaf.
     pub(crate) fn marks(&self) -> impl Iterator<Item = (Filled<'a>, Mark)> {
-        let Replay { part, tables, .. } = *self;
-        self.mark_list().iter().map(move |mark| (Filled { shape: part, tables, rule: mark.rule }, *mark))
-    }
-
-    /// The groups of consecutive leaves with equal rule and look.
-    pub(crate) fn mark_list(&self) -> &'a [Mark] {
-        &self.body.marks[self.segment.marks.clone()]
+        let Replay { part, tables, paint, .. } = *self;
+        let marks = self.body.marks[self.segment.marks.clone()].iter();
+        marks.map(move |mark| {
+            (Filled { shape: part, tables, rule: mark.rule }, Mark { look: paint.of(mark.look), ..*mark })
+        })
     }
 
     /// A range of leaves: their positions, their records, and their axes.
