@@ -165,8 +165,19 @@ impl ByBits {
         self.0.more_numbers().iter().map(|(attribute, number)| (*attribute, number.to_bits()))
     }
 
+    /// One bit for each part that is set, and the numbers of other attributes.
+    fn set(&self) -> u64 {
+        let Material { name, texture, double_sided, .. } = &*self.0;
+        let [r, _, _, opacity, metallic, roughness] = self.fields();
+        let numbers = [r, opacity, metallic, roughness].map(|number| number.is_some());
+        let others = [name.is_some(), texture.is_some(), double_sided.is_some(), *double_sided == Some(true)];
+        let flags = numbers.into_iter().chain(others).fold(0, |flags, is_set| flags << 1 | u64::from(is_set));
+        let more = |count: usize| count as u64 & 0xffff;
+        flags << 32 | more(self.0.more_numbers().len()) << 16 | more(self.0.more_texts().len())
+    }
+
     /// Everything but the numbers.
-    fn rest(&self) -> impl Eq + Hash {
+    fn rest(&self) -> impl Eq {
         let Material { name, texture, double_sided, .. } = &*self.0;
         (name, texture, double_sided, self.0.more_texts())
     }
@@ -182,9 +193,12 @@ impl Eq for ByBits {}
 
 impl Hash for ByBits {
     fn hash<H: Hasher>(&self, state: &mut H) {
-        self.fields().hash(state);
+        // Random colours make many materials, so only the parts that are set are hashed.
+        state.write_u64(self.set());
+        self.fields().into_iter().flatten().for_each(|number| state.write_u64(number));
         self.more().for_each(|number| number.hash(state));
-        self.rest().hash(state);
+        [&self.0.name, &self.0.texture].into_iter().flatten().for_each(|text| text.hash(state));
+        self.0.more_texts().iter().for_each(|text| text.hash(state));
     }
 }
 
