@@ -46,7 +46,7 @@ pub(super) fn shed(outline: &Outline<'_>, edge: usize, rise: Rise) -> Roof {
     let low = distances().fold(f64::INFINITY, f64::min);
     let high = distances().fold(f64::NEG_INFINITY, f64::max);
     let slope = rise.slope(high - low);
-    let mut raised = Raised::over(outline, |p| slope * (ahead(p) - low));
+    let mut raised = Raised::over(outline, slope * (high - low), |p| slope * (ahead(p) - low));
     let rings: Vec<Vec<u32>> =
         outline.rings.iter().map(|ring| ring.iter().map(|&p| raised.top[p as usize]).collect()).collect();
     let mut faces = raised.sides(outline, &BTreeMap::new());
@@ -71,7 +71,8 @@ pub(super) fn ridge(outline: &Outline<'_>, along: DVec2, rise: Rise) -> Roof {
     }));
     let (middle, half) = ((low.y + high.y) * 0.5, (high.y - low.y) * 0.5);
     let slope = rise.slope(half);
-    let mut raised = Raised::over(outline, |p| slope * (half - (across.dot(p) - middle).abs()).max(0.0));
+    let height = |p| slope * (half - (across.dot(p) - middle).abs()).max(0.0);
+    let mut raised = Raised::over(outline, slope * half, height);
     let near = ANGLE_EPSILON * (high - low).max_element();
     let side = |p: DVec2| {
         let s = across.dot(p) - middle;
@@ -104,13 +105,14 @@ struct Raised {
 }
 
 impl Raised {
-    fn over(outline: &Outline<'_>, height: impl Fn(DVec2) -> f64) -> Self {
+    /// A polygon and the height over each place. `most` is the height of the whole roof: the corners of a rectangle are not
+    /// raised below a ridge, except by rounding.
+    fn over(outline: &Outline<'_>, most: f64, height: impl Fn(DVec2) -> f64) -> Self {
         let mut roof = Roof::over(outline);
-        let heights: Vec<f64> = outline.points.iter().map(|&p| height(p)).collect();
-        let most = heights.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
-        let top = (0..).zip(&heights).map(|(point, &height)| {
-            let is_raised = TIE_EPSILON * most < height.abs();
-            if is_raised { roof.point(outline.at(point).extend(height)) } else { point }
+        let top = (0..).zip(outline.points).map(|(point, &p)| {
+            let height = height(p);
+            let is_raised = TIE_EPSILON * most.abs() < height.abs();
+            if is_raised { roof.point(p.extend(height)) } else { point }
         });
         let top = top.collect();
         Raised { roof, top }
