@@ -71,7 +71,8 @@ pub(crate) const SETTLE_DAMPING: f64 = 1e-6;
 /// coordinate on the face.
 pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
 
-/// Texture coordinates that vary by at most this on a triangle, relative to their range, count as constant there.
+/// Texture coordinates that vary by at most this on a triangle, relative to their range, count as constant there. A triangle
+/// whose area in texture space is at most this part of the square of its longest edge has none.
 pub(crate) const CHART_EPSILON: f64 = 1e-9;
 
 /// Points of texture space closer than this, relative to the largest coordinate and to 1, count as adjacent.
