@@ -17,7 +17,8 @@ pub const COPLANAR_EPSILON: f64 = 1e-9;
 /// depend on rounding errors. A power of two.
 pub(crate) const GRID_EPSILON: f64 = 1.0 / (1u64 << 32) as f64;
 
-/// Loops of a polygon that cross by less than this, relative to its extent, count as touching.
+/// Loops of a polygon that cross by less than this, relative to its extent, count as touching, and the ends of a ridge of this
+/// length as one corner.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 
 /// The largest distance that a loop extends beyond the loop around it, relative to the largest coordinate, because

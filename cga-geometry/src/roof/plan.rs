@@ -10,7 +10,7 @@ use crate::disjoint::DisjointSets;
 use crate::nesting::extent::Extent;
 use crate::skeleton::{self, SkeletonError, Speeds, Swept};
 use crate::small_sort::SmallSort;
-use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON};
+use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON, TOUCH_EPSILON};
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
@@ -92,22 +92,35 @@ impl Plan {
         FaceArcs::of(self.faces.iter().map(|face| &face.ring[..]), self.points.len())
     }
 
-    /// Makes ridges level: the points of each connected ridge get their mean height. A ridge is between two edges that
-    /// run against each other, so hips and valleys do not count.
+    /// Makes ridges level: the corners of each connected ridge get their mean height. A ridge is between two edges that
+    /// run against each other, so hips and valleys do not count. Points at one place, except for rounding, are one corner.
     pub(super) fn level_ridges(&mut self, outline: &Outline<'_>) {
         let (edges, face_arcs) = (outline.edges(), self.face_arcs());
         let is_new = |point: u32| outline.points.len() <= point as usize;
         let along = |face: usize| outline.along(edges[self.faces[face].edge as usize]);
-        let mut ridges = DisjointSets::new(self.points.len());
+        let Extent { low, high } = Extent::of(outline.points.iter().copied());
+        let near = TOUCH_EPSILON * (high - low).max_element();
+        let (mut ridges, mut places) = (DisjointSets::new(self.points.len()), DisjointSets::new(self.points.len()));
         for ([a, b], face) in face_arcs.iter() {
             let Some(other) = face_arcs.left_of([b, a]) else { continue };
-            if a < b && is_new(a) && is_new(b) && along(face).dot(along(other)) < RIDGE {
+            if b < a || !is_new(a) || !is_new(b) {
+                continue;
+            }
+            let is_one_place = self.points[a as usize].distance(self.points[b as usize]) <= near;
+            if is_one_place {
+                places.unite(a, b);
+            }
+            if is_one_place || along(face).dot(along(other)) < RIDGE {
                 ridges.unite(a, b);
             }
         }
-        ridges.flatten();
+        let mut share = vec![1.0; self.points.len()];
+        for place in places.sets().into_iter().filter(|place| 1 < place.len()) {
+            place.iter().for_each(|&point| share[point as usize] = 1.0 / place.len() as f64);
+        }
         for ridge in ridges.sets().into_iter().filter(|ridge| 1 < ridge.len()) {
-            let mean = ridge.iter().map(|&point| self.rises[point as usize]).sum::<f64>() / ridge.len() as f64;
+            let sum = |value: &dyn Fn(usize) -> f64| ridge.iter().map(|&point| value(point as usize)).sum::<f64>();
+            let mean = sum(&|point| self.rises[point] * share[point]) / sum(&|point| share[point]);
             for point in ridge {
                 let rise = &mut self.rises[point as usize];
                 self.moved[point as usize] = TIE_EPSILON * mean < (*rise - mean).abs();
