@@ -270,3 +270,34 @@ impl OutsideStrip {
         arcs(&self.ring).zip(&self.front).filter(|(_, front)| **front).map(|(arc, _)| arc)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roof::{Rise, RoofForm, roof};
+
+    const SLOPE: f64 = 0.8;
+
+    /// Ridges get the mean height of their corners. Corners at one place count once, also where rounding divides them.
+    #[test]
+    fn rounding_does_not_move_level_ridges() {
+        let corner = |i: u32| DVec2::from_angle(f64::from(i) * std::f64::consts::FRAC_PI_6) * 3.0;
+        let top = |points: &[DVec2], form: RoofForm| {
+            let outline = Outline { points, rings: &[(0..12).collect()], x: DVec2::X };
+            let roof = roof(&outline, form, Rise::Slope(SLOPE)).expect("a roof");
+            roof.points.iter().fold(0.0, |most: f64, point| most.max(point.z))
+        };
+        let hip = RoofForm::Hip { overhang: 0.0, even: true };
+        for form in [hip, RoofForm::Gable { across: 0.0, along: 0.0, even: true, edge: None }] {
+            let heights: Vec<f64> = (0..100)
+                .map(|turn| {
+                    let along = DVec2::from_angle(f64::from(turn) * 0.1);
+                    let far = DVec2::new(5e5, 4e6) * f64::from(turn.min(1));
+                    let points = (0..12).map(|i| corner(i) + DVec2::new(f64::from(i % 2) * 3.0, 0.0));
+                    top(&points.map(|point| (along.rotate(point) + far) - far).collect::<Vec<_>>(), form)
+                })
+                .collect();
+            assert!(heights.iter().all(|height| (height - heights[0]).abs() < 1e-6), "{form:?}: {heights:?}");
+        }
+    }
+}

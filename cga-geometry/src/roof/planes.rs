@@ -194,3 +194,26 @@ fn nested(points: &[DVec3], mut rings: Vec<Vec<u32>>) -> Vec<RoofFace> {
     let rings = nested.polygons().map(|rings| rings.map(<[u32]>::to_vec).collect());
     rings.map(|rings| RoofFace { part: RoofPart::Top, edge: None, rings }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roof::{RoofForm, roof};
+
+    const SLOPE: f64 = 0.8;
+
+    /// The corners of a rectangle stay in its plane below a ridge, however it is turned.
+    #[test]
+    fn a_ridge_over_a_turned_rectangle_has_two_planes_and_two_triangles() {
+        for turn in 0..360 {
+            let along = DVec2::from_angle(f64::from(turn).to_radians());
+            let from = DVec2::new(13.0, -6.5);
+            let corners = [DVec2::ZERO, DVec2::new(20.0, 0.0), DVec2::new(20.0, 15.0), DVec2::new(0.0, 15.0)];
+            let points = corners.map(|corner| from + along.rotate(corner));
+            let outline = Outline { points: &points, rings: &[vec![0, 1, 2, 3]], x: along };
+            let roof = roof(&outline, RoofForm::Ridge, Rise::Slope(SLOPE)).expect("a roof");
+            let corners: Vec<usize> = roof.faces.iter().map(|face| face.rings[0].len()).collect();
+            assert_eq!((corners, roof.points.len()), (vec![4, 4, 3, 3], 6), "{turn}");
+        }
+    }
+}

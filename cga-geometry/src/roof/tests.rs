@@ -225,44 +225,6 @@ fn shed_and_ridge_roofs_are_closed_and_planar() {
     law(RoofForm::Ridge, |polygon, roof| Ok(off_own_planes(polygon, roof)));
 }
 
-/// Ridges get the mean height of their corners. Corners at one place count once, also where rounding divides them.
-#[test]
-fn rounding_does_not_move_level_ridges() {
-    let corner = |i: u32| DVec2::from_angle(f64::from(i) * std::f64::consts::FRAC_PI_6) * 3.0;
-    let top = |points: &[DVec2], form: RoofForm| {
-        let outline = Outline { points, rings: &[(0..12).collect()], x: DVec2::X };
-        let roof = roof(&outline, form, Rise::Slope(SLOPE)).expect("a roof");
-        roof.points.iter().fold(0.0, |most: f64, point| most.max(point.z))
-    };
-    let hip = RoofForm::Hip { overhang: 0.0, even: true };
-    for form in [hip, RoofForm::Gable { across: 0.0, along: 0.0, even: true, edge: None }] {
-        let heights: Vec<f64> = (0..100)
-            .map(|turn| {
-                let along = DVec2::from_angle(f64::from(turn) * 0.1);
-                let far = DVec2::new(5e5, 4e6) * f64::from(turn.min(1));
-                let points = (0..12).map(|i| corner(i) + DVec2::new(f64::from(i % 2) * 3.0, 0.0));
-                top(&points.map(|point| (along.rotate(point) + far) - far).collect::<Vec<_>>(), form)
-            })
-            .collect();
-        assert!(heights.iter().all(|height| (height - heights[0]).abs() < 1e-6), "{form:?}: {heights:?}");
-    }
-}
-
-/// The corners of a rectangle stay in its plane below a ridge, however it is turned.
-#[test]
-fn a_ridge_over_a_turned_rectangle_has_two_planes_and_two_triangles() {
-    for turn in 0..360 {
-        let along = DVec2::from_angle(f64::from(turn).to_radians());
-        let from = DVec2::new(13.0, -6.5);
-        let corners = [DVec2::ZERO, DVec2::new(20.0, 0.0), DVec2::new(20.0, 15.0), DVec2::new(0.0, 15.0)];
-        let points = corners.map(|corner| from + along.rotate(corner));
-        let outline = Outline { points: &points, rings: &[vec![0, 1, 2, 3]], x: along };
-        let roof = roof(&outline, RoofForm::Ridge, Rise::Slope(SLOPE)).expect("a roof");
-        let corners: Vec<usize> = roof.faces.iter().map(|face| face.rings[0].len()).collect();
-        assert_eq!((corners, roof.points.len()), (vec![4, 4, 3, 3], 6), "{turn}");
-    }
-}
-
 /// The largest distance from planes, and the largest crossing, of overhangs that meet far away.
 const BENT: f64 = 2e-7;
 
