@@ -17,7 +17,8 @@ pub const COPLANAR_EPSILON: f64 = 1e-9;
 /// depend on rounding errors. A power of two.
 pub(crate) const GRID_EPSILON: f64 = 1.0 / (1u64 << 32) as f64;
 
-/// Loops of a polygon that cross by less than this, relative to its extent, count as touching.
+/// Loops of a polygon that cross by less than this, relative to its extent, count as touching, and the ends of a ridge of this
+/// length as one corner.
 pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 
 /// The largest distance that a loop extends beyond the loop around it, relative to the largest coordinate, because
@@ -71,7 +72,8 @@ pub(crate) const SETTLE_DAMPING: f64 = 1e-6;
 /// coordinate on the face.
 pub(crate) const AFFINE_EPSILON: f64 = 1e-9;
 
-/// Texture coordinates that vary by at most this on a triangle, relative to their range, count as constant there.
+/// Texture coordinates that vary by at most this on a triangle, relative to their range, count as constant there. A triangle
+/// whose area in texture space is at most this part of the square of its longest edge has none.
 pub(crate) const CHART_EPSILON: f64 = 1e-9;
 
 /// Points of texture space closer than this, relative to the largest coordinate and to 1, count as adjacent.

@@ -10,7 +10,7 @@ use crate::disjoint::DisjointSets;
 use crate::nesting::extent::Extent;
 use crate::skeleton::{self, SkeletonError, Speeds, Swept};
 use crate::small_sort::SmallSort;
-use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON};
+use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON, TOUCH_EPSILON};
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
 const RIDGE: f64 = -std::f64::consts::FRAC_1_SQRT_2;
@@ -92,22 +92,35 @@ impl Plan {
         FaceArcs::of(self.faces.iter().map(|face| &face.ring[..]), self.points.len())
     }
 
-    /// Makes ridges level: the points of each connected ridge get their mean height. A ridge is between two edges that
-    /// run against each other, so hips and valleys do not count.
+    /// Makes ridges level: the corners of each connected ridge get their mean height. A ridge is between two edges that
+    /// run against each other, so hips and valleys do not count. Points at one place, except for rounding, are one corner.
     pub(super) fn level_ridges(&mut self, outline: &Outline<'_>) {
         let (edges, face_arcs) = (outline.edges(), self.face_arcs());
         let is_new = |point: u32| outline.points.len() <= point as usize;
         let along = |face: usize| outline.along(edges[self.faces[face].edge as usize]);
-        let mut ridges = DisjointSets::new(self.points.len());
+        let Extent { low, high } = Extent::of(outline.points.iter().copied());
+        let near = TOUCH_EPSILON * (high - low).max_element();
+        let (mut ridges, mut places) = (DisjointSets::new(self.points.len()), DisjointSets::new(self.points.len()));
         for ([a, b], face) in face_arcs.iter() {
             let Some(other) = face_arcs.left_of([b, a]) else { continue };
-            if a < b && is_new(a) && is_new(b) && along(face).dot(along(other)) < RIDGE {
+            if b < a || !is_new(a) || !is_new(b) {
+                continue;
+            }
+            let is_one_place = self.points[a as usize].distance(self.points[b as usize]) <= near;
+            if is_one_place {
+                places.unite(a, b);
+            }
+            if is_one_place || along(face).dot(along(other)) < RIDGE {
                 ridges.unite(a, b);
             }
         }
-        ridges.flatten();
+        let mut share = vec![1.0; self.points.len()];
+        for place in places.sets().into_iter().filter(|place| 1 < place.len()) {
+            place.iter().for_each(|&point| share[point as usize] = 1.0 / place.len() as f64);
+        }
         for ridge in ridges.sets().into_iter().filter(|ridge| 1 < ridge.len()) {
-            let mean = ridge.iter().map(|&point| self.rises[point as usize]).sum::<f64>() / ridge.len() as f64;
+            let sum = |value: &dyn Fn(usize) -> f64| ridge.iter().map(|&point| value(point as usize)).sum::<f64>();
+            let mean = sum(&|point| self.rises[point] * share[point]) / sum(&|point| share[point]);
             for point in ridge {
                 let rise = &mut self.rises[point as usize];
                 self.moved[point as usize] = TIE_EPSILON * mean < (*rise - mean).abs();
@@ -255,5 +268,36 @@ impl OutsideStrip {
     /// The outer edges, in the direction of the edge of the outline, in their order along it.
     pub(super) fn fronts(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         arcs(&self.ring).zip(&self.front).filter(|(_, front)| **front).map(|(arc, _)| arc)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roof::{Rise, RoofForm, roof};
+
+    const SLOPE: f64 = 0.8;
+
+    /// Ridges get the mean height of their corners. Corners at one place count once, also where rounding divides them.
+    #[test]
+    fn rounding_does_not_move_level_ridges() {
+        let corner = |i: u32| DVec2::from_angle(f64::from(i) * std::f64::consts::FRAC_PI_6) * 3.0;
+        let top = |points: &[DVec2], form: RoofForm| {
+            let outline = Outline { points, rings: &[(0..12).collect()], x: DVec2::X };
+            let roof = roof(&outline, form, Rise::Slope(SLOPE)).expect("a roof");
+            roof.points.iter().fold(0.0, |most: f64, point| most.max(point.z))
+        };
+        let hip = RoofForm::Hip { overhang: 0.0, even: true };
+        for form in [hip, RoofForm::Gable { across: 0.0, along: 0.0, even: true, edge: None }] {
+            let heights: Vec<f64> = (0..100)
+                .map(|turn| {
+                    let along = DVec2::from_angle(f64::from(turn) * 0.1);
+                    let far = DVec2::new(5e5, 4e6) * f64::from(turn.min(1));
+                    let points = (0..12).map(|i| corner(i) + DVec2::new(f64::from(i % 2) * 3.0, 0.0));
+                    top(&points.map(|point| (along.rotate(point) + far) - far).collect::<Vec<_>>(), form)
+                })
+                .collect();
+            assert!(heights.iter().all(|height| (height - heights[0]).abs() < 1e-6), "{form:?}: {heights:?}");
+        }
     }
 }

@@ -46,7 +46,7 @@ pub(super) fn shed(outline: &Outline<'_>, edge: usize, rise: Rise) -> Roof {
     let low = distances().fold(f64::INFINITY, f64::min);
     let high = distances().fold(f64::NEG_INFINITY, f64::max);
     let slope = rise.slope(high - low);
-    let mut raised = Raised::over(outline, |p| slope * (ahead(p) - low));
+    let mut raised = Raised::over(outline, slope * (high - low), |p| slope * (ahead(p) - low));
     let rings: Vec<Vec<u32>> =
         outline.rings.iter().map(|ring| ring.iter().map(|&p| raised.top[p as usize]).collect()).collect();
     let mut faces = raised.sides(outline, &BTreeMap::new());
@@ -71,7 +71,8 @@ pub(super) fn ridge(outline: &Outline<'_>, along: DVec2, rise: Rise) -> Roof {
     }));
     let (middle, half) = ((low.y + high.y) * 0.5, (high.y - low.y) * 0.5);
     let slope = rise.slope(half);
-    let mut raised = Raised::over(outline, |p| slope * (half - (across.dot(p) - middle).abs()).max(0.0));
+    let height = |p| slope * (half - (across.dot(p) - middle).abs()).max(0.0);
+    let mut raised = Raised::over(outline, slope * half, height);
     let near = ANGLE_EPSILON * (high - low).max_element();
     let side = |p: DVec2| {
         let s = across.dot(p) - middle;
@@ -104,13 +105,14 @@ struct Raised {
 }
 
 impl Raised {
-    fn over(outline: &Outline<'_>, height: impl Fn(DVec2) -> f64) -> Self {
+    /// A polygon and the height over each place. `most` is the height of the whole roof: the corners of a rectangle are not
+    /// raised below a ridge, except by rounding.
+    fn over(outline: &Outline<'_>, most: f64, height: impl Fn(DVec2) -> f64) -> Self {
         let mut roof = Roof::over(outline);
-        let heights: Vec<f64> = outline.points.iter().map(|&p| height(p)).collect();
-        let most = heights.iter().fold(0.0, |most: f64, height| most.max(height.abs()));
-        let top = (0..).zip(&heights).map(|(point, &height)| {
-            let is_raised = TIE_EPSILON * most < height.abs();
-            if is_raised { roof.point(outline.at(point).extend(height)) } else { point }
+        let top = (0..).zip(outline.points).map(|(point, &p)| {
+            let height = height(p);
+            let is_raised = TIE_EPSILON * most.abs() < height.abs();
+            if is_raised { roof.point(p.extend(height)) } else { point }
         });
         let top = top.collect();
         Raised { roof, top }
@@ -191,4 +193,27 @@ fn nested(points: &[DVec3], mut rings: Vec<Vec<u32>>) -> Vec<RoofFace> {
     let nested = NestedRings::of(&flat, rings.into_iter());
     let rings = nested.polygons().map(|rings| rings.map(<[u32]>::to_vec).collect());
     rings.map(|rings| RoofFace { part: RoofPart::Top, edge: None, rings }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::roof::{RoofForm, roof};
+
+    const SLOPE: f64 = 0.8;
+
+    /// The corners of a rectangle stay in its plane below a ridge, however it is turned.
+    #[test]
+    fn a_ridge_over_a_turned_rectangle_has_two_planes_and_two_triangles() {
+        for turn in 0..360 {
+            let along = DVec2::from_angle(f64::from(turn).to_radians());
+            let from = DVec2::new(13.0, -6.5);
+            let corners = [DVec2::ZERO, DVec2::new(20.0, 0.0), DVec2::new(20.0, 15.0), DVec2::new(0.0, 15.0)];
+            let points = corners.map(|corner| from + along.rotate(corner));
+            let outline = Outline { points: &points, rings: &[vec![0, 1, 2, 3]], x: along };
+            let roof = roof(&outline, RoofForm::Ridge, Rise::Slope(SLOPE)).expect("a roof");
+            let corners: Vec<usize> = roof.faces.iter().map(|face| face.rings[0].len()).collect();
+            assert_eq!((corners, roof.points.len()), (vec![4, 4, 3, 3], 6), "{turn}");
+        }
+    }
 }

@@ -15,6 +15,8 @@ use crate::tol::TIE_EPSILON;
 struct Line {
     from: DVec2,
     along: DVec2,
+    /// The height of an eave, as a distance from the outline. Eaves are level also where `even` has moved points.
+    height: Option<f64>,
     /// Its number among all lines that cut an arc. Eaves have one number, as neighbours meet at a hip at one distance.
     number: usize,
 }
@@ -23,7 +25,7 @@ impl Line {
     /// The line to the left of an edge, at a distance.
     fn beside(outline: &Outline<'_>, edge: [u32; 2], distance: f64, number: usize) -> Self {
         let along = outline.along(edge);
-        Line { from: outline.at(edge[0]) + along.perp() * distance, along, number }
+        Line { from: outline.at(edge[0]) + along.perp() * distance, along, height: None, number }
     }
 }
 
@@ -31,8 +33,8 @@ impl Line {
 type Cuts = BTreeMap<([u32; 2], usize), u32>;
 
 impl Plan {
-    /// Takes planes back from their eaves by a distance, and from the pediments beside them by another, both as seen from above. `ends`
-    /// are the edges with pediments, which stay.
+    /// Takes planes back from their eaves by a distance, and from the pediments beside them by another, both as seen from above. The
+    /// new eaves are level also where `even` bends planes. `ends` are the edges with pediments, which stay.
     ///
     /// # Errors
     /// No plane is left.
@@ -58,7 +60,8 @@ impl Plan {
                     .collect();
                 beside.sort_unstable();
                 beside.dedup();
-                let eave = (0.0 < eave).then(|| Line::beside(outline, edges[edge as usize], eave, edges.len()));
+                let low = Line { height: Some(eave), ..Line::beside(outline, edges[edge as usize], eave, edges.len()) };
+                let eave = (0.0 < eave).then_some(low);
                 let line = |other: u32| Line::beside(outline, edges[other as usize], end, other as usize);
                 let ends = beside.into_iter().filter(|_| 0.0 < end).map(line);
                 for line in eave.into_iter().chain(ends) {
@@ -70,7 +73,7 @@ impl Plan {
             let is_whole = matches!(&rings[..], [only] if only == ring);
             for mut ring in rings {
                 if !is_whole {
-                    self.begin_low(&mut ring, Line::beside(outline, edges[edge as usize], 0.0, 0), TIE_EPSILON * size);
+                    self.begin_low(&mut ring, outline.along(edges[edge as usize]), TIE_EPSILON * size);
                 }
                 self.faces.push(PlanFace { edge, ring });
             }
@@ -78,13 +81,12 @@ impl Plan {
         if is_left { Ok(()) } else { Err(SkeletonError::Tangled) }
     }
 
-    /// Rotates a ring to begin with the first arc along its lowest points over an edge.
-    fn begin_low(&self, ring: &mut [u32], edge: Line, near: f64) {
-        let at = |point: u32| self.points[point as usize] - edge.from;
-        let height = |point: u32| edge.along.perp().dot(at(point));
+    /// Rotates a ring to begin with its first arc along the lowest points, in the order along an edge.
+    fn begin_low(&self, ring: &mut [u32], along: DVec2, near: f64) {
+        let height = |point: u32| self.rises[point as usize];
         let low = ring.iter().map(|&point| height(point)).fold(f64::INFINITY, f64::min) + 2.0 * near;
         let found = arcs(ring).enumerate().filter(|(_, [a, b])| height(*a) <= low && height(*b) <= low);
-        let place = |arc: [u32; 2]| edge.along.dot(at(arc[0]));
+        let place = |arc: [u32; 2]| along.dot(self.points[arc[0] as usize]);
         let first = found.min_by(|a, b| place(a.1).total_cmp(&place(b.1))).map(|found| found.0);
         ring.rotate_left(first.unwrap_or(0));
     }
@@ -93,7 +95,10 @@ impl Plan {
     fn left_of(&mut self, ring: &[u32], line: Line, near: f64, cuts: &mut Cuts) -> Vec<Vec<u32>> {
         let across = line.along.perp();
         let ahead = |point: u32| {
-            let ahead = across.dot(self.points[point as usize] - line.from);
+            let ahead = match line.height {
+                Some(height) => self.rises[point as usize] - height,
+                None => across.dot(self.points[point as usize] - line.from),
+            };
             if ahead.abs() <= near { 0.0 } else { ahead }
         };
         let heights: Vec<f64> = ring.iter().map(|&point| ahead(point)).collect();

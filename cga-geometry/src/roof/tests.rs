@@ -314,6 +314,33 @@ fn negative_overhangs_take_planes_back() {
     }
 }
 
+/// The eaves of `even` roofs are level where a negative overhang takes their planes back, and each face begins with one.
+#[test]
+fn even_roofs_are_taken_back_to_level_eaves() {
+    for across in [-0.01, -0.1, -0.3] {
+        let (mut failures, mut count) = (Vec::new(), 0);
+        for (name, polygon) in outlines(seeds() / 4) {
+            let hip = RoofForm::Hip { overhang: across, even: true };
+            let gable = RoofForm::Gable { across, along: 0.0, even: true, edge: None };
+            for form in [hip, gable] {
+                let Ok(roof) = built(&polygon, form, Rise::Slope(SLOPE)) else { continue };
+                count += 1;
+                let eave = SLOPE * -across / 1.64f64.sqrt();
+                for face in roof.faces.iter().filter(|face| face.part == RoofPart::Top) {
+                    let heights: Vec<f64> = face.rings[0].iter().map(|&point| roof.points[point as usize].z).collect();
+                    let slack = PLANAR * extent(&polygon);
+                    if heights[..2].iter().any(|height| (height - eave).abs() > slack)
+                        || heights.iter().any(|&height| height < eave - slack)
+                    {
+                        failures.push(format!("{name} {form:?}: {heights:?}, not from {eave} on"));
+                    }
+                }
+            }
+        }
+        complain(&failures, count);
+    }
+}
+
 fn taken_back(polygon: &Polygon, plain: &Roof, roof: &Roof, [across, along]: [f64; 2]) -> Result<(), String> {
     let edges: Vec<[u32; 2]> = polygon.rings.iter().flat_map(|ring| arcs::arcs(ring)).collect();
     let ahead = |edge: u32, p: DVec2| {

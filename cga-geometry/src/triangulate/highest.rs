@@ -1,15 +1,39 @@
 //! The highest triangulation of a loop: of all surfaces of triangles between its corners, the one with the largest volume below.
 //!
 //! It depends on the loop alone: not on its first corner, its sense and its place, and a mirrored loop has the mirrored triangles.
-//! Where two triangulations are equally high the surfaces are the same or mirror images.
+//! Where two triangulations are equally high except for rounding, as at corners in one plane, the one with the shorter diagonals is
+//! taken. If these are equal, too, the surfaces are the same or mirror images.
 
 use glam::DVec3;
+
+use crate::tol::TIE_EPSILON;
 
 /// The largest number of corners: the time grows with the third power.
 const MOST: usize = 128;
 
 /// A triangle is wide enough if its area is more than this part of the square of the loop's extent.
 const THIN: f64 = 1e-10;
+
+/// The best triangles of a row of corners.
+#[derive(Clone, Copy)]
+struct Best {
+    /// Six times the volume below them.
+    volume: f64,
+    /// The sum of the squares of their diagonals.
+    diagonals: f64,
+    /// The corner between the first and the last one.
+    middle: usize,
+}
+
+impl Best {
+    /// Returns true if other triangles are higher, or equally high with shorter diagonals.
+    fn is_below(&self, other: &Best, tie: f64) -> bool {
+        if (self.volume - other.volume).abs() <= tie {
+            return other.diagonals < self.diagonals * (1.0 - TIE_EPSILON);
+        }
+        self.volume < other.volume
+    }
+}
 
 /// The triangles of a loop that is counter-clockwise as seen from above, along z, as numbers of its corners,
 /// counter-clockwise. `None` if the loop crosses itself as seen from above, or has more than 128 corners.
@@ -20,20 +44,25 @@ pub(crate) fn highest(points: &[DVec3]) -> Option<Vec<[usize; 3]>> {
     }
     let from = points[0];
     let size = points.iter().fold(0.0, |most: f64, point| most.max((*point - from).truncate().abs().max_element()));
-    // By first and last corner of a row of corners: the largest volume below its triangles, and the corner between.
-    let mut best = vec![(0.0, 0); count * count];
+    let height = points.iter().fold(0.0, |most: f64, point| most.max((point.z - from.z).abs()));
+    let tie = TIE_EPSILON * size * size * height;
+    let diagonal = |a: usize, b: usize| if a + 1 < b { (points[b] - points[a]).length_squared() } else { 0.0 };
+    // By first and last corner of a row of corners.
+    let mut best = vec![Best { volume: 0.0, diagonals: 0.0, middle: 0 }; count * count];
     for length in 2..count {
         for first in 0..count - length {
             let last = first + length;
-            let mut found = (f64::NEG_INFINITY, 0);
+            let mut found = Best { volume: f64::NEG_INFINITY, diagonals: f64::INFINITY, middle: 0 };
             for middle in first + 1..last {
                 let [a, b, c] = [first, middle, last].map(|corner| points[corner] - from);
                 let area = (b - a).truncate().perp_dot((c - a).truncate());
                 if THIN * size * size < area {
-                    let volume = area * (a.z + b.z + c.z);
-                    let sum = best[first * count + middle].0 + best[middle * count + last].0 + volume;
-                    if found.0 < sum {
-                        found = (sum, middle);
+                    let [left, right] = [best[first * count + middle], best[middle * count + last]];
+                    let volume = left.volume + right.volume + area * (a.z + b.z + c.z);
+                    let own = diagonal(first, middle) + diagonal(middle, last);
+                    let tried = Best { volume, diagonals: left.diagonals + right.diagonals + own, middle };
+                    if found.is_below(&tried, tie) {
+                        found = tried;
                     }
                 }
             }
@@ -44,8 +73,8 @@ pub(crate) fn highest(points: &[DVec3]) -> Option<Vec<[usize; 3]>> {
     let mut open = vec![[0, count - 1]];
     while let Some([first, last]) = open.pop() {
         if first + 1 < last {
-            let (sum, middle) = best[first * count + last];
-            if sum == f64::NEG_INFINITY {
+            let Best { volume, middle, .. } = best[first * count + last];
+            if volume == f64::NEG_INFINITY {
                 return None;
             }
             triangles.push([first, middle, last]);
@@ -72,6 +101,20 @@ mod tests {
                     .iter()
                     .all(|triangle| triangle.iter().filter(|&&corner| turned[corner].z == 1.0).count() == 2)
             );
+        }
+    }
+
+    #[test]
+    fn rounding_does_not_decide_between_the_diagonals_of_a_flat_part() {
+        let points = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [9.0, 3.0, 3.0], [2.0, 3.0, 3.0], [-0.5, 1.0, 0.9]];
+        let rng = &mut crate::random::Rng(7);
+        let mut noisy = || points.map(|point| DVec3::from(point.map(|x| x + 4e-15 * (rng.unit() - 0.5))));
+        // The flat part has the corners 0 to 3, and the diagonal from 0 to 2 is longer.
+        let expected = [[0, 1, 3], [0, 3, 4], [1, 2, 3]];
+        for _ in 0..100 {
+            let mut triangles = highest(&noisy()).expect("a loop");
+            triangles.sort_unstable();
+            assert_eq!(triangles, expected);
         }
     }
 

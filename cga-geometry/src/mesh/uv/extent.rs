@@ -5,6 +5,7 @@
 //! with u from 0 to 1 gets the mean length of its lines of constant v, which is about the length of its centre line,
 //! however u is distributed among its faces. For a flat face with an affine chart the result is exact.
 //!
+//! Faces on one line of texture space, such as slopes that a projection sees edge-on, have no area there and do not count.
 //! If the coordinates span no area, because v is constant or depends on u, the mean width of the bands between lines of
 //! constant u is used instead.
 
@@ -132,9 +133,10 @@ impl Sums {
     /// Adds a triangle, given by two of its edges in space and in texture space. A constant coordinate has no stretch.
     fn add(&mut self, [p, q]: [DVec3; 2], [a, b]: [DVec2; 2], range: DVec2) {
         let varies = a.abs().max(b.abs()).max((a - b).abs()).cmpgt(range * CHART_EPSILON);
-        let (forward, back) = (a.x * b.y, a.y * b.x);
-        let chart = (forward - back).abs();
-        if varies.all() && CHART_EPSILON * (forward.abs() + back.abs()) < chart {
+        let chart = (a.x * b.y - a.y * b.x).abs();
+        // Relative to the longest edge: a slope that is seen edge-on is on a line of texture space, except for rounding.
+        let longest = [a, b, a - b].into_iter().fold(0.0, |most: f64, edge| most.max((edge / range).length_squared()));
+        if varies.all() && CHART_EPSILON * longest * range.x * range.y < chart {
             self.stretched += DVec2::new((p * b.y - q * a.y).length(), (q * a.x - p * b.x).length());
             self.chart += chart;
         }
@@ -193,6 +195,23 @@ mod tests {
         let rounded = [0.3, 0.3 + 6e-17, 0.3, 0.3 + 1.2e-16];
         let noisy: Vec<_> = corners.iter().zip(rounded).map(|(&p, v)| (p, [p[0] / 4.0 + p[1] / 6.0, v])).collect();
         assert_eq!(extent(&mesh(&[&noisy])).metres.x, even.metres.x);
+    }
+
+    /// A slope seen edge-on: both coordinates change upwards, and along it they are constant except for rounding.
+    #[test]
+    fn a_face_on_a_line_of_texture_space_does_not_count() {
+        let front = quad([[0.0, 0.0], [8.0, 0.0], [8.0, 2.0], [0.0, 2.0]], [0.0, 1.0]);
+        let slope = |noise: f64| {
+            let places = [[8.0, 0.0], [8.0, 50.0], [9.0, 25.0]];
+            let [a, b, c] = [[1.0, 0.0], [1.0 + noise, 0.0], [0.5, 1.0]];
+            [(places[0], a), (places[1], b), (places[2], c)]
+        };
+        for noise in [0.0, f64::EPSILON, -f64::EPSILON, 1e-13] {
+            let metres = extent(&mesh(&[&front, &slope(noise)])).metres;
+            assert!((metres - DVec2::new(8.0, 2.0)).abs().max_element() < 1e-11, "{metres} with {noise}");
+        }
+        // A narrow face counts.
+        assert!(8.1 < extent(&mesh(&[&front, &slope(1e-3)])).metres.x);
     }
 
     #[test]

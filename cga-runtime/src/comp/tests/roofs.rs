@@ -136,6 +136,18 @@ fn edges_run_upwards_and_eaves_around() {
     assert!(around.length() < 1e-9);
 }
 
+/// A negative overhang leaves level eaves, also of the faces that `even` bends, so hips touch eaves.
+#[test]
+fn even_roofs_that_are_taken_back_have_all_eaves() {
+    let quadrilateral = || lot(&[[0.0, 0.0], [12.0, 0.0], [12.0, 5.0], [0.0, 9.0]]);
+    for (overhang, even) in [(0.0, true), (0.5, true), (-0.5, false), (-0.5, true), (-0.01, true)] {
+        let hip = roof(quadrilateral(), |env, shape| op::roof_hip(env, shape, 45.0, overhang, even));
+        assert_eq!(edges(&hip), [4, 4, 0, 1], "{overhang} {even}");
+    }
+    let gable = roof(quadrilateral(), |env, shape| op::roof_gable(env, shape, 45.0, -0.5, -0.2, true));
+    assert_eq!(edges(&gable), [2, 0, 0, 1]);
+}
+
 /// A face of a roof has its eave along x, its slope along y, and its pivot at the left end of the eave (*trim attribute*,
 /// pictures).
 #[test]
