@@ -191,7 +191,7 @@ impl Input<'_> {
         let mesh_of: Vec<u32> = facets.iter().map(|facet| self.mesh_of_face[facet.face as usize]).collect();
         let operands: Vec<u8> = mesh_of.iter().map(|mesh| u8::from(self.firsts <= *mesh)).collect();
         let mut edges = outlines(&points, &mut facets)?;
-        let mut shells = shells(&points, &edges, &facets, &mesh_of);
+        let mut shells = shells(&points, &edges, &facets, &mesh_of)?;
         let boxes: Vec<Bounds> = facets.iter().map(|facet| facet.bounds).collect();
         let tree = BoundsTree::of(&boxes);
         let overlapping = meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
@@ -201,7 +201,7 @@ impl Input<'_> {
         divided?;
         let mut cells = groups.cells(&points, &edges, &facets, budget)?;
         facets.truncate(mesh_of.len());
-        close_shells(&edges, &facets, &mesh_of, &mut shells);
+        close_shells(&edges, &facets, &mesh_of, &mut shells)?;
         if shells.iter().any(|shell| !shell.is_closed && self.is_closed[mesh_of[shell.facets[0] as usize] as usize]) {
             // Faces that are thinner than epsilon were left out.
             return Err(BooleanError::Tangled);

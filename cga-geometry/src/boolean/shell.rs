@@ -2,9 +2,10 @@
 
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::operation::BooleanError;
 use super::point_set::PointSet;
+use super::progress::{goes_on, sort};
 use crate::disjoint::DisjointSets;
-use crate::small_sort::SmallSort;
 
 /// The part that a facet has in its mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,20 +27,30 @@ pub(super) struct Shell {
 }
 
 /// The shells of meshes. `mesh_of` has the mesh of each facet. The outlines of facets are the only edges yet.
-pub(super) fn shells(points: &PointSet, edges: &EdgeTable, facets: &[Facet], mesh_of: &[u32]) -> Vec<Shell> {
+pub(super) fn shells(
+    points: &PointSet,
+    edges: &EdgeTable,
+    facets: &[Facet],
+    mesh_of: &[u32],
+) -> Result<Vec<Shell>, BooleanError> {
     let mut sets = DisjointSets::new(facets.len());
-    unite_at_edges(edges, mesh_of, &mut sets, |_| true);
-    let shell = |facets_here: Vec<u32>| Shell {
-        is_closed: is_closed(edges, facets, &facets_here),
-        volume: facets_here.iter().map(|facet| volume(points, &facets[*facet as usize])).sum(),
-        facets: facets_here,
+    unite_at_edges(edges, mesh_of, &mut sets, |_| true)?;
+    let shell = |facets_here: Vec<u32>| {
+        let is_closed = is_closed(edges, facets, &facets_here)?;
+        let volume = facets_here.iter().map(|facet| volume(points, &facets[*facet as usize])).sum();
+        Ok(Shell { is_closed, volume, facets: facets_here })
     };
     sets.sets().into_iter().map(shell).collect()
 }
 
 /// Unites open shells of the same mesh that are closed together, because edges of one are parts of edges of the other.
 /// The edges are divided where they meet.
-pub(super) fn close_shells(edges: &EdgeTable, facets: &[Facet], mesh_of: &[u32], shells: &mut Vec<Shell>) {
+pub(super) fn close_shells(
+    edges: &EdgeTable,
+    facets: &[Facet],
+    mesh_of: &[u32],
+    shells: &mut Vec<Shell>,
+) -> Result<(), BooleanError> {
     let mut is_open = vec![false; facets.len()];
     let mut sets = DisjointSets::new(facets.len());
     let mut volumes = vec![0.0; facets.len()];
@@ -50,18 +61,25 @@ pub(super) fn close_shells(edges: &EdgeTable, facets: &[Facet], mesh_of: &[u32],
             sets.unite(shell.facets[0], *facet);
         }
     }
-    unite_at_edges(edges, mesh_of, &mut sets, |facet| is_open[facet as usize]);
+    unite_at_edges(edges, mesh_of, &mut sets, |facet| is_open[facet as usize])?;
     shells.retain(|shell| shell.is_closed);
     for set in sets.sets().into_iter().filter(|set| is_open[set[0] as usize]) {
         let volume = set.iter().map(|facet| volumes[*facet as usize]).sum();
-        shells.push(Shell { is_closed: is_closed(edges, facets, &set), facets: set, volume });
+        shells.push(Shell { is_closed: is_closed(edges, facets, &set)?, facets: set, volume });
     }
+    Ok(())
 }
 
 /// Unites facets of the same mesh whose outlines have a common edge.
-fn unite_at_edges(edges: &EdgeTable, mesh_of: &[u32], sets: &mut DisjointSets, counts: impl Fn(u32) -> bool) {
+fn unite_at_edges(
+    edges: &EdgeTable,
+    mesh_of: &[u32],
+    sets: &mut DisjointSets,
+    counts: impl Fn(u32) -> bool,
+) -> Result<(), BooleanError> {
     let mut first: Vec<(u32, u32)> = Vec::new();
     for edge in &edges.list {
+        goes_on(edge.owners.len())?;
         first.clear();
         for owner in edge.owners.iter().filter(|owner| owner.count != 0 && counts(owner.facet)) {
             let mesh = mesh_of[owner.facet as usize];
@@ -71,17 +89,19 @@ fn unite_at_edges(edges: &EdgeTable, mesh_of: &[u32], sets: &mut DisjointSets, c
             }
         }
     }
+    Ok(())
 }
 
 /// Returns true if the outlines of facets follow each edge equally often in both directions.
-fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> bool {
+fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> Result<bool, BooleanError> {
     let mut uses: Vec<(u32, i32)> = Vec::new();
     for &facet in shell {
-        let lines = facets[facet as usize].lines.iter();
-        uses.extend(lines.map(|&line| (line, edges.owner(line, facet).map_or(0, |owner| owner.count))));
+        let lines = &facets[facet as usize].lines;
+        goes_on(lines.len())?;
+        uses.extend(lines.iter().map(|&line| (line, edges.owner(line, facet).map_or(0, |owner| owner.count))));
     }
-    uses.small_sort();
-    uses.chunk_by(|a, b| a.0 == b.0).all(|here| here.iter().map(|used| used.1).sum::<i32>() == 0)
+    sort(&mut uses)?;
+    Ok(uses.chunk_by(|a, b| a.0 == b.0).all(|here| here.iter().map(|used| used.1).sum::<i32>() == 0))
 }
 
 /// Six times the signed volume of the pyramid from the origin to a facet.
