@@ -163,6 +163,37 @@ fn a_missing_texture_is_one_fault_in_each_run() {
 
 cga! {
     @Allow(missing_asset)
+    grammar Mapped = r#"
+        Lot --> setupProjection(0, scope.xy, 1, 1) projectUV(0)
+            set(material.normalmap, "none.png") set(material.roughnessmap, "none.png") set(material.emissivemap, "glow.png") X.
+    "#;
+}
+
+#[test]
+fn a_missing_map_of_normals_or_roughness_is_left_out() {
+    let (missing, broken) = (
+        Temporary::new("no-maps", &[]),
+        Temporary::new("broken-maps", &[("none.png", "no image"), ("glow.png", "no image")]),
+    );
+    for (assets, names) in [
+        (Arc::new(Assets::below(&missing.0)), ["emissiveTexture", "\"images\":[{\"bufferView\""]),
+        (Arc::new(Assets::below(&broken.0)), ["emissiveTexture", "\"images\":[{\"bufferView\""]),
+        // Without a folder, files name their images.
+        (Arc::default(), ["normalTexture", "\"uri\":\"none.png\""]),
+    ] {
+        let settings = Settings { assets, ..Settings::default() };
+        let model = Mapped::default().generate_with(&Shape::rectangle(5.0, 1.0), &settings).expect("a model");
+        let messages: Vec<&str> = model.faults().iter().map(|fault| fault.message.as_str()).collect();
+        assert!(messages[0].ends_with("the shape is shown without it"), "{messages:?}");
+        let glb = model.to_glb().expect("a file");
+        let text = String::from_utf8_lossy(&glb);
+        assert!(names.iter().all(|name| text.contains(name)), "{names:?}");
+        assert_eq!(text.contains("normalTexture"), names[0] == "normalTexture");
+    }
+}
+
+cga! {
+    @Allow(missing_asset)
     grammar Glazed = r##"
         Source --> color("#80ff00") set(material.name, "Glass") setupProjection(0, scope.xy, 1, 1)
             texture("builtin:uvtest.png") projectUV(0) extrude(2) Pane.

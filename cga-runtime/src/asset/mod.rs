@@ -34,6 +34,7 @@ use cga_split::files::places;
 use self::image::header::ImageHeader;
 use crate::asset::image::builtin;
 use crate::geometry::mesh::Mesh;
+use crate::material::layer::UNKNOWN_TEXTURE;
 use crate::value::text::Text;
 use folder::Listing;
 use mesh_file::MeshFile;
@@ -42,9 +43,6 @@ use store::{Store, StoredFile};
 
 /// The limit on cached names of meshes and images. Other names are looked up each time, so that memory stays bounded.
 const NAMES_KEPT: usize = 10_000;
-
-/// The texture for a missing file (*CGA changelog*).
-pub(crate) const UNKNOWN_TEXTURE: &str = "builtin:unknowntexture.png";
 
 /// The built-in textures (*Built-in assets and textures*).
 pub(crate) const BUILTINS: [&str; 3] = [builtin::DEFAULT, builtin::UV_TEST, UNKNOWN_TEXTURE];

@@ -108,17 +108,16 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// part of a run where rules repeat: about 5 ns a leaf from templates. Meshes are cut into triangles as for the buffers.
     ///
     /// ```
-    /// use cga_runtime::facade as cga;
-    /// # fn buffers<G: cga::rules::Rules + cga::Grammar + Clone>(grammar: &G, shape: &cga::Shape) -> Result<(), cga::Error> {
+    /// # use cga_runtime::facade as cga;
     /// use cga::sink::buffers::Buffers;
+    /// use cga::{DynSession, Error, Shape};
     ///
-    /// let mut session = cga::Session::new(grammar, &cga::Settings::default())?;
-    /// let size = session.measure(shape)?;
-    /// let mut buffers = Buffers::with_capacity(size.vertices, size.indices);
-    /// session.run(shape, &mut buffers)?;
-    /// assert_eq!((size.vertices, size.indices), (buffers.vertices().len(), buffers.indices().len()));
-    /// # Ok(())
-    /// # }
+    /// fn filled(session: &mut dyn DynSession, shape: &Shape) -> Result<Buffers, Error> {
+    ///     let size = session.measure(shape)?;
+    ///     let mut buffers = Buffers::with_capacity(size.vertices, size.indices);
+    ///     session.run(shape, &mut buffers)?;
+    ///     Ok(buffers)
+    /// }
     /// ```
     ///
     /// # Errors

@@ -40,6 +40,11 @@ pub enum Layer {
 }
 
 impl Layer {
+    /// Returns true for the layers in which a checker pattern takes the place of an image that is missing.
+    pub(crate) fn shows_checkers(self) -> bool {
+        matches!(self, Layer::Color | Layer::Opacity | Layer::Emissive)
+    }
+
     /// All layers, in the order of their uv sets.
     pub const ALL: [Layer; 10] = [
         Layer::Color,

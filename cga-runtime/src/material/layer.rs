@@ -70,9 +70,13 @@ impl PlacementMap {
     }
 }
 
-/// The image of a layer, if it has one.
+/// The texture for a missing file (*CGA changelog*).
+pub(crate) const UNKNOWN_TEXTURE: &str = "builtin:unknowntexture.png";
+
+/// The image of a layer, if it has one that can be shown.
 pub(crate) fn image(material: &Material, layer: Layer) -> Option<&Text> {
-    material.text(MaterialText::Map(layer)).filter(|name| !name.is_empty())
+    let is_shown = |name: &Text| !name.is_empty() && (layer.shows_checkers() || name.as_str() != UNKNOWN_TEXTURE);
+    material.text(MaterialText::Map(layer)).filter(|name| is_shown(name))
 }
 
 /// The set that a layer uses on a mesh with the sets `sets`: its own, otherwise set 0. `None` if both are missing

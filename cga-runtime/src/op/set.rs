@@ -118,7 +118,10 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialN
 
 pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
-        let value = if matches!(which, MaterialText::Map(_)) { crate::op::image(env, value).0 } else { value };
+        let value = match which {
+            MaterialText::Map(layer) => crate::op::map_image(env, layer, value),
+            _ => value,
+        };
         change_material(env, shape, |material| material.set_text(which, value));
     } else {
         env.fault(
@@ -278,8 +281,8 @@ mod tests {
         }
         each_material_number!(numbers);
         each_material_text!(texts);
-        // No file has the name that the maps were given.
-        assert_eq!(env.take_faults().0.len(), 1);
+        // No file has the name that the maps were given: colours become checkers, and other maps are left out.
+        assert_eq!(env.take_faults().0.len(), 2);
         assert_eq!((get::material_opacity(shape), get::material_double_sided(shape)), (0.0, true));
         assert_eq!(get::material_color_rgb(shape).as_str(), "#000000");
         material_color_rgb(env, shape, "#0a5fff".into());

@@ -1,7 +1,8 @@
 //! Built-in textures, drawn by code.
 
+use crate::asset::BUILTINS;
 use crate::asset::image::Image;
-use crate::asset::{BUILTINS, UNKNOWN_TEXTURE};
+use crate::material::layer::UNKNOWN_TEXTURE;
 
 /// A black and white checkerboard of 16 by 16 fields.
 pub(crate) const DEFAULT: &str = "builtin:default";

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::asset::{AssetError, UNKNOWN_TEXTURE};
+use crate::asset::AssetError;
 use crate::fault::FaultKind;
 use crate::func;
 use crate::geometry::obj::escaped;
+use crate::material::layer::UNKNOWN_TEXTURE;
 use crate::material::{Color, Layer, Material, MaterialNumber, MaterialText};
 use crate::op::set;
 use crate::run::env::Env;
@@ -73,14 +74,30 @@ pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
     if file.is_empty() {
         return (file, false);
     }
-    let why = match env.settings.assets.image_header(&file) {
-        Ok(header) => return (file, header.has_alpha),
-        Err(why) => why,
-    };
-    env.image_fault(format!("`{}` cannot be shown: {why}; a checker pattern takes its place", escaped(&file)));
+    match env.settings.assets.image_header(&file) {
+        Ok(header) => (file, header.has_alpha),
+        Err(why) => (not_shown(env, file, &why, "a checker pattern takes its place"), false),
+    }
+}
+
+/// The image name in place of an image that cannot be shown, with a fault.
+fn not_shown(env: &mut Env, file: Text, why: &AssetError, instead: &str) -> Text {
+    env.image_fault(format!("`{}` cannot be shown: {why}; {instead}", escaped(&file)));
     use AssetError::{Broken, Format, NoFolder, TooLong};
     let keeps_name = matches!(why, Format(_) | Broken(_) | TooLong { .. } | NoFolder) && !file.starts_with("builtin:");
-    (if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
+    if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }
+}
+
+/// The image name for a layer of a material, as [`image`]. Only colours and opacities that one sees show a checker pattern: as a normal or a
+/// roughness it would spoil the light, so a shape is shown without such a map.
+pub(crate) fn map_image(env: &mut Env, layer: Layer, file: Text) -> Text {
+    if layer.shows_checkers() || file.is_empty() {
+        return image(env, file).0;
+    }
+    match env.settings.assets.image_header(&file) {
+        Ok(_) => file,
+        Err(why) => not_shown(env, file, &why, "the shape is shown without it"),
+    }
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial

@@ -37,7 +37,7 @@ impl<'a> Images<'a> {
     ) -> Self {
         let mut images = Images { assets, is_referenced, ..Images::default() };
         for texture in textures {
-            images.add(&texture.image);
+            images.add(&texture.image, texture.role.shows_checkers());
         }
         images
     }
@@ -47,28 +47,30 @@ impl<'a> Images<'a> {
         self.by_key.get(key).copied().flatten()
     }
 
-    fn add(&mut self, key: &ImageKey) -> Option<usize> {
+    /// The number of an image. If `shows_checkers`, a checker pattern takes the place of a broken file; else it is left out.
+    fn add(&mut self, key: &ImageKey, shows_checkers: bool) -> Option<usize> {
         if let Some(known) = self.by_key.get(key) {
             return *known;
         }
         let number = match key {
-            ImageKey::File(name) => self.file(name).map(|image| self.images.index(image)),
+            ImageKey::File(name) => self.file(name, shows_checkers).map(|image| self.images.index(image)),
             key => match combine::combined(self.assets, key) {
                 Some(bytes) => Some(self.images.index(GltfImage::Embedded { kind: ImageKind::Png, bytes })),
-                None => key.file().and_then(|name| self.add(&ImageKey::File(name.clone()))),
+                None => key.file().and_then(|name| self.add(&ImageKey::File(name.clone()), shows_checkers)),
             },
         };
         self.by_key.insert(key.clone(), number);
         number
     }
 
-    fn file(&self, name: &str) -> Option<GltfImage> {
+    fn file(&self, name: &str, shows_checkers: bool) -> Option<GltfImage> {
         let has_file = || !name.starts_with("builtin:") && !self.assets.is_some_and(|assets| assets.is_embedded(name));
         if self.is_referenced && has_file() {
             return Some(GltfImage::Referenced(uri(name)));
         }
         Some(match source::find(self.assets, name) {
             ImageSource::File(header, bytes) => GltfImage::Embedded { kind: header.kind, bytes },
+            ImageSource::Drawn(_) if !shows_checkers && !name.starts_with("builtin:") => return None,
             ImageSource::Drawn(image) => GltfImage::Embedded { kind: ImageKind::Png, bytes: combine::encoded(&image)? },
             ImageSource::Absent => GltfImage::Referenced(uri(name)),
         })

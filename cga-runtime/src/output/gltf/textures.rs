@@ -60,6 +60,11 @@ impl TextureRole {
         }
     }
 
+    /// Returns true for the maps in which a checker pattern takes the place of an image that is missing.
+    pub(super) fn shows_checkers(self) -> bool {
+        matches!(self, TextureRole::BaseColor | TextureRole::Emissive)
+    }
+
     /// Returns true for the members of `pbrMetallicRoughness`.
     pub(super) fn is_pbr(self) -> bool {
         matches!(self, TextureRole::BaseColor | TextureRole::MetallicRoughness)
