@@ -23,6 +23,11 @@ cga! {
     Given(c, n) --> color(c) split(x) { ~1 : set(material.opacity, n) X. | ~1 : set(material.color.b, n) X. }
     Held     --> split(y) { ~1 : Lit | ~1 : extrude(0.1) Lit }
     Asked    --> case material.color.r > 0.5 : X. else : Y.
+    // More colours than a session has numbers for looks. One part has the colour of its wall, the other has not.
+    Crowd    --> split(x) { { ~1 : color(rand(1), rand(1), rand(1)) Few }* }
+    Few      --> split(y) { { ~4 : Both }* | { 1 : Red }* }
+    Both     --> split(y) { ~1 : X. | ~1 : color("#ff0000") Y. }
+    Red      --> color("#ff0000") split(y) { ~1 : X. | ~1 : Y. }
 }
 
 /// The size, the material, and the tags of the faces of each leaf.
@@ -67,7 +72,8 @@ fn a_hole_draws_from_the_seed_of_its_repetition() {
 
 #[test]
 fn a_repetition_has_the_colour_of_its_wall() {
-    let kinds = kinds("Many", &Shape::cuboid(20.0, 9.0, 2.0).seed(3));
+    let many = kinds("Many", &Shape::cuboid(20.0, 9.0, 2.0).seed(3));
     // About eight for each of 38 walls.
-    assert!(250 < kinds, "{kinds}");
+    assert!(250 < many, "{many}");
+    assert!(5000 < kinds("Crowd", &Shape::cuboid(5000.0, 9.0, 2.0).seed(3)));
 }

@@ -125,7 +125,8 @@ impl<C: Clone> Cx<'_, C> {
         let planes = found.template.reach.map(|_| base.trims.planes(&base.pivot));
         let new = LastTemplate { extent, unit: part.unit.get(), found, planes };
         let flow = self.replay_within(&new, g, part, rule, resume);
-        let is_lasting = new.found.template.is_lasting && new.found.paint.is_lasting;
+        let Found { template, paint, .. } = &new.found;
+        let is_lasting = template.is_lasting && paint.is_lasting && part.look.get().is_lasting();
         *last = Last(is_lasting.then_some(new));
         if !is_lasting {
             part.look.set(look);
