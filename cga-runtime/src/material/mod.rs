@@ -101,7 +101,7 @@ impl Material {
     }
 
     /// Returns true if both materials have a colour, and all else is equal.
-    pub(crate) fn differs_in_color(&self, other: &Material) -> bool {
+    pub(crate) fn is_equal_except_color(&self, other: &Material) -> bool {
         let Material { name, color, opacity, texture, metallic, roughness, double_sided, more } = self;
         color.is_some()
             && other.color.is_some()

@@ -49,10 +49,10 @@ pub use face::setback_to_area::{setback_to_area, setback_to_area_between, setbac
 pub use face::shape_l::shape_l;
 pub use face::shape_o::shape_o;
 pub use face::shape_u::shape_u;
+pub(crate) use look::material::image;
 pub use look::material::{
     MaterialTarget, color_hex, color_rgb, color_rgba, opacity, reset_material, set_material, texture,
 };
-pub(crate) use look::material::{image, map_image};
 pub use look::texture::{
     NormalizeMode, NormalizeType, ProjectionAxes, copy_uv, delete_uv, normalize_uv, project_uv, rotate_uv, scale_uv,
     setup_projection, setup_projection_at, setup_projection_uw, setup_uv, tile_uv, translate_uv,

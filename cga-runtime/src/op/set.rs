@@ -119,7 +119,7 @@ pub(crate) fn material_number(env: &mut Env, shape: &mut Shape, which: MaterialN
 pub(crate) fn material_text(env: &mut Env, shape: &mut Shape, which: MaterialText, value: Text) {
     if which.accepts(&value) {
         let value = match which {
-            MaterialText::Map(layer) => crate::op::map_image(env, layer, value),
+            MaterialText::Map(layer) => crate::op::image(env, layer, value).0,
             _ => value,
         };
         change_material(env, shape, |material| material.set_text(which, value));

@@ -208,7 +208,8 @@ impl LookIds {
         id
     }
 
-    /// The number of the same look with an open colour. The number itself if the look has no colour, or if there is no room.
+    /// Opens the colour of a look, and returns the number of the result. A look without a colour stays as it is, and so does every look
+    /// when the table is full.
     pub(crate) fn open(&mut self, id: LookId) -> LookId {
         if let Some(&Some(open)) = self.open.get(id.index() as usize) {
             return open;
@@ -222,7 +223,7 @@ impl LookIds {
         let Some(look) = self.get(id).cloned() else { return id };
         let is_like = |open: &LookId| {
             let open = &self.list[open.index() as usize];
-            open.material.differs_in_color(&look.material) && open.coordinates == look.coordinates
+            open.material.is_equal_except_color(&look.material) && open.coordinates == look.coordinates
         };
         let open = self.last_open.filter(is_like).or_else(|| {
             let open = Look { material: Arc::new(look.material.open()?), coordinates: look.coordinates.clone() };
@@ -242,7 +243,8 @@ impl LookIds {
         self.get(id).is_some_and(|look| look.material.painted(Color::WHITE).is_some())
     }
 
-    /// The number of a look after its open colour became the colour of another look. It is temporary if there is no room.
+    /// Paints a look: its open colour becomes the colour of the look `own`. Returns the number of the result, which is temporary if the table
+    /// is full.
     pub(crate) fn painted(&mut self, id: LookId, own: LookId) -> LookId {
         let color = self.get(own).and_then(|look| look.material.color);
         let Some((look, color)) = self.get(id).zip(color) else { return id };

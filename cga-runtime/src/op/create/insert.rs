@@ -105,8 +105,10 @@ pub(in crate::op) fn asset(env: &Env, file: &File) -> Result<Arc<Mesh>, AssetErr
 /// Leaves a fault for each image of a mesh that is missing or broken.
 fn check_images(env: &mut Env, mesh: &Mesh) {
     for material in mesh.materials::<Material>() {
-        for name in Layer::ALL.into_iter().filter_map(|layer| layer::image(material, layer)) {
-            crate::op::image(env, name.clone());
+        for layer in Layer::ALL {
+            if let Some(name) = layer::image(material, layer) {
+                crate::op::image(env, layer, name.clone());
+            }
         }
     }
 }

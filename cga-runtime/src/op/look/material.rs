@@ -55,7 +55,7 @@ pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
         let instead = "`set(material.colormap, \"\")` removes a texture without this fault";
         env.image_fault(format!("`texture` has no file: its name is empty, and the shape has no texture; {instead}"));
     }
-    let (file, has_alpha) = image(env, file);
+    let (file, has_alpha) = image(env, Layer::Color, file);
     set::change_material(env, shape, |material| {
         let opacity = MaterialText::Map(Layer::Opacity);
         if has_alpha {
@@ -67,37 +67,26 @@ pub fn texture(env: &mut Env, shape: &mut Shape, file: Text) {
     });
 }
 
-/// The image name for a material, and true if the image has an alpha channel. A missing file is a fault and becomes
+/// The image name for a layer of a material, and true if the image has an alpha channel. A missing file is a fault and becomes
 /// `builtin:unknowntexture.png` (*CGA changelog*). A broken file is a fault and keeps its name, and so does every file without an asset
-/// folder: the program may have it elsewhere.
-pub(crate) fn image(env: &mut Env, file: Text) -> (Text, bool) {
+/// folder: the program may have it elsewhere. Only in colours and opacities the fault promises a checker pattern. As normals or roughness
+/// it would spoil the light, so a shape is shown without such a map.
+pub(crate) fn image(env: &mut Env, layer: Layer, file: Text) -> (Text, bool) {
     if file.is_empty() {
         return (file, false);
     }
-    match env.settings.assets.image_header(&file) {
-        Ok(header) => (file, header.has_alpha),
-        Err(why) => (not_shown(env, file, &why, "a checker pattern takes its place"), false),
-    }
-}
-
-/// The image name in place of an image that cannot be shown, with a fault.
-fn not_shown(env: &mut Env, file: Text, why: &AssetError, instead: &str) -> Text {
+    let why = match env.settings.assets.image_header(&file) {
+        Ok(header) => return (file, header.has_alpha),
+        Err(why) => why,
+    };
+    let instead = match layer.shows_checkers() {
+        true => "a checker pattern takes its place",
+        false => "the shape is shown without it",
+    };
     env.image_fault(format!("`{}` cannot be shown: {why}; {instead}", escaped(&file)));
     use AssetError::{Broken, Format, NoFolder, TooLong};
     let keeps_name = matches!(why, Format(_) | Broken(_) | TooLong { .. } | NoFolder) && !file.starts_with("builtin:");
-    if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }
-}
-
-/// The image name for a layer of a material, as [`image`]. Only colours and opacities that one sees show a checker pattern: as a normal or a
-/// roughness it would spoil the light, so a shape is shown without such a map.
-pub(crate) fn map_image(env: &mut Env, layer: Layer, file: Text) -> Text {
-    if layer.shows_checkers() || file.is_empty() {
-        return image(env, file).0;
-    }
-    match env.settings.assets.image_header(&file) {
-        Ok(_) => file,
-        Err(why) => not_shown(env, file, &why, "the shape is shown without it"),
-    }
+    (if keeps_name { file } else { Text::fixed(UNKNOWN_TEXTURE) }, false)
 }
 
 /// `setMaterial(material)`: attributes by name, without `material.`, each followed by its value as text (*setMaterial

@@ -37,7 +37,7 @@ impl<'a> Images<'a> {
     ) -> Self {
         let mut images = Images { assets, is_referenced, ..Images::default() };
         for texture in textures {
-            images.add(&texture.image, texture.role.shows_checkers());
+            images.add(&texture.image, texture.layer.shows_checkers());
         }
         images
     }

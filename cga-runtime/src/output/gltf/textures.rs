@@ -60,11 +60,6 @@ impl TextureRole {
         }
     }
 
-    /// Returns true for the maps in which a checker pattern takes the place of an image that is missing.
-    pub(super) fn shows_checkers(self) -> bool {
-        matches!(self, TextureRole::BaseColor | TextureRole::Emissive)
-    }
-
     /// Returns true for the members of `pbrMetallicRoughness`.
     pub(super) fn is_pbr(self) -> bool {
         matches!(self, TextureRole::BaseColor | TextureRole::MetallicRoughness)
@@ -75,6 +70,8 @@ impl TextureRole {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct LookTexture {
     pub(super) role: TextureRole,
+    /// The layer whose set and placement it has.
+    pub(super) layer: Layer,
     pub(super) image: ImageKey,
     /// The number of its set among the sets of the primitive.
     coordinates: usize,
@@ -130,6 +127,7 @@ pub(super) fn textures(
     let written = SetMask::of(|set| sets.has(set) && (set == 0 || used.contains(&set)));
     let texture = |(role, layer, image)| LookTexture {
         role,
+        layer,
         image,
         coordinates: layer::set(layer, sets).map_or(0, |set| written.rank(set)),
         transform: transform(&Placement::of(material, layer)),

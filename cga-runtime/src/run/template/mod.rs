@@ -280,6 +280,14 @@ impl<C> Templates<C> {
     }
 }
 
+/// Adds a value to a list of the last `most` values.
+fn keep_last<T>(list: &mut Vec<T>, new: T, most: usize) {
+    if list.len() == most {
+        list.remove(0);
+    }
+    list.push(new);
+}
+
 impl<C> TemplateEntry<C> {
     /// The template turned to axes, if there is a template, and true if it was turned just now.
     fn turned(&mut self, axes: &Axes) -> Option<(Rc<Template<C>>, Rc<Turned>, bool)> {
@@ -291,10 +299,7 @@ impl<C> TemplateEntry<C> {
             return Some((template, known.clone(), false));
         }
         let turned = Rc::new(template.turned(axes));
-        if self.turned.len() == KEPT_AXES {
-            self.turned.remove(0);
-        }
-        self.turned.push(turned.clone());
+        keep_last(&mut self.turned, turned.clone(), KEPT_AXES);
         Some((template, turned, true))
     }
 
@@ -307,10 +312,7 @@ impl<C> TemplateEntry<C> {
         }
         let paint = Rc::new(Paint::new(open, self.key.look, own, ids));
         if paint.is_lasting {
-            if self.paints.len() == KEPT_PAINTS {
-                self.paints.remove(0);
-            }
-            self.paints.push((look, paint.clone()));
+            keep_last(&mut self.paints, (look, paint.clone()), KEPT_PAINTS);
         }
         Some(paint)
     }

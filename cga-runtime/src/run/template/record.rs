@@ -244,15 +244,9 @@ impl<C: Clone> Cx<'_, C> {
         };
         let looks = || body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
         let is_lasting = looks().all(LookId::is_lasting);
-        let mut open: Vec<LookId> = Vec::new();
-        // Other templates have no open colour.
-        if !slot.is_whole {
-            for look in looks() {
-                if !open.contains(&look) && self.env.leaf_tables.looks.is_open(look) {
-                    open.push(look);
-                }
-            }
-        }
+        let mut open: Vec<LookId> = looks().filter(|look| self.env.leaf_tables.looks.is_open(*look)).collect();
+        open.sort_unstable_by_key(|look| look.0);
+        open.dedup();
         let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
         let (body, reads, open) = (body.divided(ends.into_iter()), Box::default(), open.into());
