@@ -45,6 +45,10 @@ pub const EDGE_EPSILON: f64 = 1e-15;
 /// An upper bound of the rounding error of rotated coordinates, relative to the largest of them.
 pub const ROUNDING_EPSILON: f64 = 2e-15;
 
+/// A face whose area is below this, relative to its extent and its largest coordinate, has no plane: the rounding errors of some
+/// operations one after the other decide about its normal.
+pub(crate) const THIN_EPSILON: f64 = 1e-13;
+
 /// A volume below this, relative to the cube of the largest extent, is a rounding error.
 pub(crate) const VOLUME_EPSILON: f64 = 1e-14;
 

@@ -130,7 +130,9 @@ fn reports(a: &Report, b: &Report, tolerance: Tolerance) -> Difference {
         kinds
     };
     let keys = |report: &Report| report.reports().iter().map(|it| (it.key().to_owned(), it.ty())).collect::<Vec<_>>();
-    same("the faults", &kinds(a.faults()), &kinds(b.faults()))
+    let (own, its) = (kinds(a.faults()), kinds(b.faults()));
+    let first = own.iter().zip(&its).position(|(a, b)| a != b).unwrap_or(own.len().min(its.len()));
+    same("the faults", &(own.len(), own.get(first)), &(its.len(), its.get(first)))
         .or_else(|| same("the faults left out", &a.faults_left_out(), &b.faults_left_out()))
         .or_else(|| same("the keys of reports", &keys(a), &keys(b)))
         .or_else(|| a.reports().iter().zip(b.reports().iter()).find_map(|(a, b)| collections(a, b, tolerance)))
@@ -183,15 +185,21 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
         .or_else(|| scope(&a.scope(), &b.scope(), tolerance))
         .or_else(|| {
             let found = faces(&mesh, &other, &placement, tolerance).or_else(points)?;
-            // Where a cut follows an edge up to rounding, a face that is thinner than rounding is made or not. Where flat geometry is cut,
-            // rounding decides the first corner of the cap.
+            // Where a cut follows an edge or meets a corner up to rounding, a face that is thinner or an edge that is shorter than rounding is
+            // made or not. Where flat geometry is cut, rounding decides the first corner of the cap.
             let [mesh, other] = [mesh.map(&placement), other.map(&place)];
-            (!differs_in_thin_faces(&mesh, &other, tolerance)).then_some(found)
+            (!differs_by_rounding(&mesh, &other, tolerance)).then_some(found)
         })
 }
 
-/// Returns true if a mesh has thin faces, and the other faces and the bounds of both are alike.
-fn differs_in_thin_faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
+/// The length of the shortest edge.
+fn shortest_edge(mesh: &Mesh) -> f64 {
+    let length = |[a, b]: [u32; 2]| mesh.points()[a as usize].distance(mesh.points()[b as usize]);
+    mesh.face_edges().map(length).fold(f64::INFINITY, f64::min)
+}
+
+/// Returns true if a mesh has thin faces or edges that are shorter than the tolerance, and the other faces and the bounds of both are alike.
+fn differs_by_rounding(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
     let thick = |mesh: &Mesh| -> Vec<_> {
         let faces = mesh.faces().filter(|face| !is_thin(face, tolerance));
         let tell = |face: FaceRef<'_>| {
@@ -208,7 +216,8 @@ fn differs_in_thin_faces(a: &Mesh, b: &Mesh, tolerance: Tolerance) -> bool {
             && tolerance.vectors(*normal, its.4, 1e-9)
     };
     let [low, high] = [(a.bounds().low, b.bounds().low), (a.bounds().high, b.bounds().high)];
-    own.len() < a.face_count().max(b.face_count())
+    let is_rounded = || shortest_edge(a).min(shortest_edge(b)) <= tolerance.length;
+    (own.len() < a.face_count().max(b.face_count()) || is_rounded())
         && own.len() == its.len()
         && own.iter().zip(&its).all(is_alike)
         && tolerance.vectors(low.0, low.1, 0.0)

@@ -10,7 +10,7 @@ use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TooManyCorners};
 use crate::nesting::extent::Extent;
 use crate::segment::nearest_share;
-use crate::tol::{AFFINE_EPSILON, WHOLE_EPSILON};
+use crate::tol::{AFFINE_EPSILON, NEXT_EPSILON, WHOLE_EPSILON};
 use crate::triangulate::Triangulator;
 use crate::work;
 
@@ -46,7 +46,7 @@ struct PatchCorner {
 }
 
 impl UvPatch {
-    /// A patch; `None` for corners without area in texture space.
+    /// A patch; `None` for corners without area in texture space, up to rounding: a projection sees faces edge-on.
     fn of(mut corners: Vec<PatchCorner>) -> Option<Self> {
         let turn = orient(corners[0].uv, corners[1].uv, corners[2].uv);
         let between = |from: usize, to: usize| corners[to].point - corners[from].point;
@@ -63,7 +63,9 @@ impl UvPatch {
         let (a, b) = (corners[1].uv - from, corners[corners.len() - 1].uv - from);
         let area = a.perp_dot(b);
         let along = [DVec2::new(b.y, -b.x) / area, DVec2::new(-a.y, a.x) / area];
-        let is_sound = turn != 0 && along.iter().all(|way| way.is_finite());
+        let far = corners.iter().fold(1.0, |far: f64, corner| far.max(corner.uv.abs().max_element()));
+        let is_thin = area.abs() / a.length().max(b.length()) <= far * NEXT_EPSILON;
+        let is_sound = turn != 0 && !is_thin && along.iter().all(|way| way.is_finite());
         is_sound.then_some(UvPatch { corners, is_mirrored, along })
     }
 

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::FaceRef;
 use super::pair_table::PairTable;
 use crate::each::Each;
-use crate::tol::PLANAR_EPSILON;
+use crate::tol::{PLANAR_EPSILON, THIN_EPSILON};
 use crate::vector::unit;
 
 /// A face projected to its plane.
@@ -33,7 +33,7 @@ impl FaceRef<'_> {
 }
 
 impl<'a> FlatFace<'a> {
-    /// The face; `None` if it has no area.
+    /// The face; `None` if it has no area, or is thinner than the rounding errors of its coordinates: then its normal means nothing.
     pub(crate) fn of(face: &FaceRef<'a>) -> Option<Self> {
         let (normal, range) = (face.normal(), face.corner_range());
         if normal == DVec3::ZERO {
@@ -61,11 +61,22 @@ impl<'a> FlatFace<'a> {
             }
             plane.corners.push(number);
         }
+        if plane.is_thin(extent) {
+            return None;
+        }
         // Deviations by rounding errors count as in the plane.
         if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
             plane.heights.fill(0.0);
         }
         Some(plane)
+    }
+
+    /// Returns true if the face, with this extent, is thinner than the rounding errors of its coordinates.
+    fn is_thin(&self, extent: f64) -> bool {
+        let place = |corner: usize| self.flat[self.corners[corner - self.face.corner_range().start] as usize] / extent;
+        let double_area: f64 = self.face.edges().map(|[a, b]| place(a).perp_dot(place(b))).sum();
+        let positions = self.face.corner_range().map(|corner| self.face.position(corner).abs().max_element());
+        double_area.abs() <= THIN_EPSILON * (positions.fold(extent, f64::max) / extent)
     }
 
     /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the
@@ -83,5 +94,42 @@ impl<'a> FlatFace<'a> {
             rings.push(edges[first..].iter().map(|edge| self.corners[edge[usize::from(outwards)]]).collect());
         }
         (edges, rings)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::{FaceTag, MeshBuilder};
+
+    fn is_flat(corners: &[[f64; 3]]) -> bool {
+        let mut builder = MeshBuilder::new();
+        let points: Vec<u32> = corners.iter().map(|place| builder.point(*place)).collect();
+        builder.face(&points, &[], FaceTag::PLAIN);
+        FlatFace::of(&builder.build().unwrap().face(0)).is_some()
+    }
+
+    #[test]
+    fn a_face_thinner_than_rounding_has_no_plane() {
+        // A strip at a distance from the origin, there and back along an angle too.
+        let strip =
+            |width: f64| [[9.0, 7.5, 16.0], [9.0, 14.0, 16.0], [9.0 + width, 14.0, 16.0], [9.0 + width, 7.5, 16.0]];
+        let angle = |width: f64| {
+            let there = [[9.0, 7.0, 16.0], [9.0, 7.0, 4.0], [20.0, 7.0, 4.0]];
+            [
+                there[0],
+                there[1],
+                there[2],
+                [20.0, 7.0, 4.0 + width],
+                [9.0 + width, 7.0, 4.0 + width],
+                [9.0 + width, 7.0, 16.0],
+            ]
+        };
+        for (width, is_seen) in [(4e-14, false), (-4e-14, false), (1e-11, true), (1e-3, true)] {
+            assert_eq!((is_flat(&strip(width)), is_flat(&angle(width))), (is_seen, is_seen), "{width}");
+        }
+        for size in [1e-150, 1e-9, 1.0, 1e150] {
+            assert!(is_flat(&[[0.0, 0.0, 0.0], [size, 0.0, 0.0], [size, size, 0.0]]), "{size}");
+        }
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! One pass cuts at all lines. The side of a corner is one comparison of its coordinate with the line: exact, and no
 //! point moves. Along an edge the coordinate is linear. The crossing of an edge with a line is computed once, from the
-//! end that comes first in lexicographic order, for all faces that have the same coordinates at both ends of the edge
-//! (`crossings.rs`). At a seam the faces differ, and each has crossings of its own. Only faces are cut: there are no
+//! end that comes first in lexicographic order, for all faces that have the same coordinates, up to rounding, at both ends of
+//! the edge (`crossings.rs`). At a seam the faces differ, and each has crossings of its own. Only faces are cut: there are no
 //! caps.
 //!
 //! A triangle, or a face with one loop on which the coordinate rises once and falls once, is cut from crossing to
@@ -44,8 +44,8 @@ use sites::Sites;
 /// - Faces keep their order, tags, groups and materials. The values of corners are interpolated; the cut coordinate is
 ///   the coordinate of the line. A piece begins with the remaining part of the face's first edge, as in
 ///   [`slabs`](super::slabs()).
-/// - Faces that agree in the coordinate at both ends of a common edge share the crossings of the edge: they stay
-///   connected. At a seam each face has crossings of its own. Mirrored faces need no special rule.
+/// - Faces that agree in the coordinate at both ends of a common edge, up to rounding, share the crossings of the edge: they
+///   stay connected. At a seam each face has crossings of its own. Mirrored faces need no special rule.
 /// - The coordinate is linear along edges. A convex face on which it rises once and falls once is cut straight from
 ///   edge to edge, even if the coordinate is not affine, as in a trapezoid of a street. A face that is not convex, with
 ///   a coordinate that is not affine, is cut triangle by triangle. In both cases the areas of the pieces add up.
@@ -221,9 +221,7 @@ impl<'m> IsoCutter<'m> {
 
     /// Returns true if the coordinate rises once and falls once around a loop, and repeats only at its ends.
     fn rises_once(&self, corners: Range<usize>) -> bool {
-        let values = self.mesh.uv_set(self.crossings.coordinate.set)[corners]
-            .iter()
-            .map(|uv| uv[self.crossings.coordinate.axis]);
+        let values = corners.map(|corner| self.sites.value(corner));
         let (low, high) = range(values.clone());
         rises_once(values, |value| value == low || value == high)
     }
@@ -253,6 +251,28 @@ mod tests {
     use super::*;
     use crate::mesh::MeshBuilder;
     use crate::work::{Supervisor, UNITS_A_QUESTION};
+
+    #[test]
+    fn faces_whose_coordinates_differ_by_rounding_stay_connected() {
+        // Three strips; at their two seams the coordinates differ by one bit, and by more.
+        let bands = |off: f64| {
+            let mut builder = MeshBuilder::new();
+            for x in 0..3_u32 {
+                let corners = [[x, 0], [x + 1, 0], [x + 1, 1], [x, 1]].map(|corner| corner.map(f64::from));
+                let points = corners.map(|[x, z]| builder.point([x, 0.0, -z]));
+                let uvs = corners.map(|[u, v]| DVec2::new(u, 0.3 + v + off * f64::from(x)));
+                builder.face(&points, &[], FaceTag::PLAIN).uvs(&uvs);
+            }
+            let mesh = Arc::new(builder.build().unwrap());
+            iso_bands(&mesh, 0, UvAxis::V, &[0.7, 0.9], usize::MAX).unwrap()
+        };
+        let points = |off: f64| bands(off).iter().flatten().map(|band| band.points().len()).collect::<Vec<_>>();
+        assert_eq!([points(0.0), points(f64::EPSILON), points(-f64::EPSILON)], [[8; 3]; 3]);
+        assert_eq!(points(1e-6), [10, 12, 10]);
+        for value in [0.4 * f64::MAX, -1e300, f64::MIN_POSITIVE] {
+            assert!(bands(value).len() == 3);
+        }
+    }
 
     #[test]
     fn every_pass_over_many_corners_can_end() {

@@ -1,6 +1,6 @@
 //! The coordinate of each corner, and its class among the lines.
 //!
-//! A *site* is a point of the mesh with one value of the coordinate. Faces that agree at the point share the site; at a
+//! A *site* is a point of the mesh with one value of the coordinate. Faces that agree at the point, up to rounding, share the site; at a
 //! seam a point has several sites.
 
 use std::collections::BTreeMap;
@@ -12,6 +12,7 @@ use super::coordinate::Coordinate;
 use crate::cut::class::Class;
 use crate::cut::points::{Location, NONE, PieceCorner};
 use crate::mesh::Mesh;
+use crate::tol::NEXT_EPSILON;
 use crate::work;
 
 /// The corners that are read between two counts of work.
@@ -29,19 +30,26 @@ impl Sites {
     pub(super) fn of(mesh: &Mesh, coordinate: Coordinate, lines: &[f64]) -> Option<Self> {
         let mut first = vec![NONE; mesh.points.len()];
         // The further values of points at seams.
-        let mut others: BTreeMap<(u32, u64), u32> = BTreeMap::new();
+        let mut others: BTreeMap<(u32, i64), u32> = BTreeMap::new();
         let mut values: Vec<f64> = Vec::with_capacity(mesh.points.len());
         let mut site_of = |(&point, uv): (&u32, &DVec2)| {
             let value = uv[coordinate.axis] + 0.0;
-            let site = match &mut first[point as usize] {
-                site if *site == NONE => site,
-                site if values[*site as usize] == value => return *site,
-                _ => others.entry((point, value.to_bits())).or_insert(NONE),
-            };
-            if *site == NONE {
-                *site = values.len() as u32;
-                values.push(value);
+            let room = if value.is_finite() { value.abs().max(1.0) * NEXT_EPSILON } else { 0.0 };
+            let own = &mut first[point as usize];
+            if *own != NONE && (values[*own as usize] == value || (values[*own as usize] - value).abs() <= room) {
+                return *own;
             }
+            let site = if *own == NONE {
+                own
+            } else {
+                let near = [value - room, value + room].map(|value| (point, ordered(value)));
+                if let Some((_, site)) = others.range(near[0]..=near[1]).next() {
+                    return *site;
+                }
+                others.entry((point, ordered(value))).or_insert(NONE)
+            };
+            *site = values.len() as u32;
+            values.push(value);
             *site
         };
         let mut of_corner = Vec::with_capacity(mesh.corners.len());
@@ -78,4 +86,10 @@ impl Sites {
     pub(super) fn node(&self, mesh: &Mesh, corner: usize) -> PieceCorner {
         PieceCorner::corner(corner, Location { class: self.class(corner), number: mesh.corners[corner] })
     }
+}
+
+/// A number with the order of [`f64::total_cmp`].
+fn ordered(value: f64) -> i64 {
+    let bits = value.to_bits() as i64;
+    bits ^ ((bits >> 63) as u64 >> 1) as i64
 }
