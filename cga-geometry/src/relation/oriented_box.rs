@@ -39,6 +39,19 @@ impl<'s> OrientedBox<'s> {
         Bounds { low: self.centre - distance, high: self.centre + distance }
     }
 
+    /// The centre.
+    #[inline]
+    pub fn centre(&self) -> DVec3 {
+        self.centre
+    }
+
+    /// A number that is not less than the distance of its corners from its centre.
+    #[inline]
+    pub fn radius(&self) -> f64 {
+        let DVec3 { x, y, z } = self.half.abs();
+        x + y + z
+    }
+
     /// It as a geometry of any kind.
     pub fn to_query(&self) -> QueryGeometry<'static> {
         QueryGeometry::oriented(self.centre, *self.axes, self.half)

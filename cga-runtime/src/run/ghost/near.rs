@@ -6,6 +6,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::Ghost;
 use crate::geometry::mesh::Bounds;
 use crate::geometry::relation::{NearOccluders, Occluders, OrientedBox, QueryGeometry, Relation};
@@ -58,6 +60,9 @@ pub(crate) struct NearQueries {
 #[derive(Debug)]
 struct Region {
     bounds: Bounds,
+    /// A sphere: whatever is in it has its reach in the bounds.
+    centre: DVec3,
+    radius: f64,
     /// All queries are below this shape of their tree, or are asked by it.
     below: TreeNode,
     /// The occluders of the same initial shape that are neither `below` nor ancestors of it; all if `has_descendants`.
@@ -87,6 +92,7 @@ impl NearQueries {
         geometry: &QueryGeometry<'_>,
         query: OcclusionQuery<'_>,
     ) -> Relation {
+        self.queries = self.queries.saturating_add(1);
         match self.find(ghosts, geometry.bounds(), query.place) {
             Some(region) => region
                 .ask(ghosts, query, |solids, near, wanted, accept| solids.query_near(near, geometry, wanted, accept)),
@@ -102,19 +108,20 @@ impl NearQueries {
         geometry: &OrientedBox<'_>,
         query: OcclusionQuery<'_>,
     ) -> Relation {
-        match self.find(ghosts, &geometry.around(), query.place) {
-            Some(region) => region.ask(ghosts, query, |solids, near, wanted, accept| {
-                solids.query_box_near(near, geometry, wanted, accept)
-            }),
-            None => ghosts.relation(&geometry.to_query(), query),
-        }
+        self.queries = self.queries.saturating_add(1);
+        let region = match &mut self.region {
+            Some(region) if region.has_box(geometry, query.place) => region,
+            _ => match self.find(ghosts, &geometry.around(), query.place) {
+                Some(region) => region,
+                None => return ghosts.relation(&geometry.to_query(), query),
+            },
+        };
+        region.ask(ghosts, query, |solids, near, wanted, accept| solids.query_box_near(near, geometry, wanted, accept))
     }
 
     /// The region with the occluders for a query in some bounds, if it is worth one.
-    #[inline]
     fn find(&mut self, ghosts: AskedGhosts<'_>, bounds: &Bounds, place: Option<Place<'_>>) -> Option<&mut Region> {
         let reach = ghosts.reach(bounds);
-        self.queries = self.queries.saturating_add(1);
         if !self.region.as_ref().is_some_and(|region| region.has(&reach, place)) {
             self.begin_region(ghosts, &reach, place);
         }
@@ -212,7 +219,19 @@ impl Region {
             }
         }
         let below = place.map_or_else(TreeNode::default, |place| place.ancestor(depth));
-        Some(Region { bounds, below, own, has_descendants, others })
+        // The tolerance grows with coordinates, so in the bounds it is at most this.
+        let tolerance = (bounds.low - ghosts.reach(&bounds).low).max_element();
+        let (centre, radius) = ((bounds.low + bounds.high) * 0.5, 0.5 * bounds.size().min_element() - 2.0 * tolerance);
+        Some(Region { bounds, centre, radius, below, own, has_descendants, others })
+    }
+
+    /// Returns true if a box is in the sphere of the region: a quick way to see that the region has its occluders.
+    #[inline]
+    fn has_box(&self, geometry: &OrientedBox<'_>, place: Option<Place<'_>>) -> bool {
+        let room = self.radius - geometry.radius();
+        0.0 < room
+            && geometry.centre().distance_squared(self.centre) < room * room
+            && place.is_none_or(|place| place.is_at_or_below(self.below))
     }
 
     /// Returns true if the region has the occluders of a query.
