@@ -8,10 +8,10 @@ use bevy_ecs::change_detection::{DetectChanges, DetectChangesMut};
 use bevy_ecs::entity::{Entity, EntityIndexSet};
 use bevy_ecs::lifecycle::{Remove, RemovedComponents};
 use bevy_ecs::observer::On;
-use bevy_ecs::query::{Changed, Or};
+use bevy_ecs::query::Changed;
 use bevy_ecs::schedule::common_conditions::resource_changed;
 use bevy_ecs::schedule::{IntoScheduleConfigs, SystemSet};
-use bevy_ecs::system::{Commands, Query, Res, ResMut};
+use bevy_ecs::system::{Commands, Query, Res, ResMut, SystemParam};
 use bevy_ecs::world::Ref;
 use bevy_mesh::Mesh;
 use bevy_transform::TransformSystems;
@@ -62,20 +62,40 @@ impl Plugin for CgaPlugin {
     }
 }
 
+/// The entities whose grammar or scene has changed, and the scenes whose distances have.
+#[derive(SystemParam)]
+struct Changes<'w, 's> {
+    grammars: Query<'w, 's, Entity, Changed<Cga>>,
+    without_grammar: RemovedComponents<'w, 's, Cga>,
+    lots: Query<'w, 's, Entity, Changed<CgaLotOf>>,
+    without_scene: RemovedComponents<'w, 's, CgaLotOf>,
+    scenes: Query<'w, 's, Entity, Changed<CgaScene>>,
+    without_distances: RemovedComponents<'w, 's, CgaScene>,
+}
+
+impl Changes<'_, '_> {
+    /// The entities that may have changed, each once.
+    fn entities(&mut self) -> EntityIndexSet {
+        let removed = self.without_grammar.read().chain(self.without_scene.read());
+        self.grammars.iter().chain(&self.lots).chain(removed).collect()
+    }
+
+    fn scenes(&mut self) -> Vec<Entity> {
+        self.scenes.iter().chain(self.without_distances.read()).collect()
+    }
+}
+
 /// Starts a run for each entity that has changed and for the lots that can ask about it, or marks the run under way.
 fn start_runs(
-    changed: Query<Entity, Or<(Changed<Cga>, Changed<CgaLotOf>)>>,
-    (mut without_grammar, mut without_scene): (RemovedComponents<Cga>, RemovedComponents<CgaLotOf>),
+    mut changed: Changes,
     entities: Query<(Ref<Cga>, Option<&CgaLotOf>)>,
-    (scenes, changed_scenes): (Query<&CgaScene>, Query<Entity, Changed<CgaScene>>),
-    mut without_distances: RemovedComponents<CgaScene>,
+    scenes: Query<&CgaScene>,
     mut known: ResMut<Scenes>,
     mut runs: Query<(&Cga, Option<&mut CgaRun>)>,
     mut commands: Commands,
 ) {
     let (mut alone, mut changes) = (Vec::new(), Vec::new());
-    let touched: EntityIndexSet = changed.iter().chain(without_grammar.read()).chain(without_scene.read()).collect();
-    for entity in touched {
+    for entity in changed.entities() {
         let cga = entities.get(entity).ok();
         let is_changed = cga.as_ref().is_some_and(|(cga, _)| cga.is_changed());
         let from = known.scene_of(entity);
@@ -89,11 +109,11 @@ fn start_runs(
             changes.push(LotChange { lot: entity, from, to, state, is_changed });
         }
     }
-    let other_scenes: Vec<Entity> = changed_scenes.iter().chain(without_distances.read()).collect();
     let distances = |scene| scenes.get(scene).copied().unwrap_or_default();
     // The passes live until the runs share them.
-    let Affected { lots, passes: _passes } = known.update(changes, &other_scenes, distances);
-    for entity in lots.into_iter().chain(alone) {
+    let Affected { mut lots, passes: _passes } = known.update(changes, &changed.scenes(), distances);
+    lots.extend(alone);
+    for entity in lots {
         match runs.get_mut(entity) {
             Ok((_, Some(mut run))) => run.is_outdated = true,
             Ok((cga, None)) => {

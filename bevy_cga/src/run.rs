@@ -12,7 +12,7 @@ use bevy_tasks::{AsyncComputeTaskPool, Task, TaskPool};
 use bevy_transform::components::Transform;
 use cga::glam::DVec3;
 use cga::sink::meshes::Granularity;
-use cga::{Error, Grammar, Model, Settings, Shape, Watch};
+use cga::{Error, Model, Watch};
 
 use crate::channel::Channels;
 use crate::convert;
@@ -99,19 +99,20 @@ impl Drop for CgaRun {
 
 /// The source of a model.
 enum RunSource {
-    Alone { grammar: Box<dyn Grammar + Send + Sync>, shape: Shape, settings: Settings },
+    Alone(Box<Cga>),
     Lot { place: LotPlace, watch: Option<Watch> },
 }
 
 impl RunSource {
     fn alone(cga: &Cga, watch: Option<Watch>) -> Self {
-        let settings = Settings { watch, ..cga.settings.clone() };
-        RunSource::Alone { grammar: cga.grammar.clone(), shape: cga.shape.clone(), settings }
+        let mut cga = Box::new(cga.clone());
+        cga.settings.watch = watch;
+        RunSource::Alone(cga)
     }
 
     fn model(&self) -> Result<Model, Error> {
         match self {
-            RunSource::Alone { grammar, shape, settings } => grammar.generate_with(shape, settings),
+            RunSource::Alone(cga) => cga.grammar.generate_with(&cga.shape, &cga.settings),
             RunSource::Lot { place, watch } => place.generate(watch.as_ref()),
         }
     }

@@ -131,18 +131,20 @@ impl Scenes {
         let new: BTreeMap<Entity, Arc<Pass>> = different.iter().map(|scene| (*scene, self.pass(*scene))).collect();
         let runs_again = |change: &&TakenChange| change.is_changed || change.sees_others(&old, &new);
         let mut lots: EntityIndexSet = changes.iter().filter(runs_again).map(|change| change.lot).collect();
+        let own: EntityIndexSet = changes.iter().map(|change| change.lot).collect();
         for (scene, new) in &new {
             if new.entities.iter().all(|lot| lots.contains(lot)) {
                 continue;
             }
             let old = &old[scene];
-            let states = |state: fn(&TakenChange) -> &Option<(Entity, Arc<SceneLot>)>| {
+            let states = |state: fn(&TakenChange) -> &Option<LotState>| {
                 let own = changes.iter().filter_map(move |change| state(change).as_ref());
                 own.filter(|(of, _)| of == scene).map(|(_, lot)| &**lot).collect::<Vec<&SceneLot>>()
             };
-            let affected = old.affected_by(&states(|change| &change.old));
-            lots.extend(affected.into_iter().filter(|lot| self.scene_of(*lot) == Some(*scene)));
-            lots.extend(new.affected_by(&states(|change| &change.new)));
+            let mut affected = old.affected_by(&states(|change| &change.old));
+            affected.extend(new.affected_by(&states(|change| &change.new)));
+            affected.retain(|lot| self.scene_of(*lot) == Some(*scene) && !own.contains(lot));
+            lots.extend(affected);
             if old.distances != new.distances {
                 lots.extend(new.entities.iter().filter(|lot| old.neighbours(**lot) != new.neighbours(**lot)));
             }
@@ -175,19 +177,22 @@ impl Scenes {
     }
 }
 
+/// A scene and the state of a lot in it.
+type LotState = (Entity, Arc<SceneLot>);
+
 /// A change with the states of the lot in its scenes.
 #[derive(Debug)]
 struct TakenChange {
     lot: Entity,
-    old: Option<(Entity, Arc<SceneLot>)>,
-    new: Option<(Entity, Arc<SceneLot>)>,
+    old: Option<LotState>,
+    new: Option<LotState>,
     is_changed: bool,
 }
 
 impl TakenChange {
     /// Returns true if a move to another scene can change the model of the lot itself.
     fn sees_others(&self, old: &BTreeMap<Entity, Arc<Pass>>, new: &BTreeMap<Entity, Arc<Pass>>) -> bool {
-        let asks = |(_, state): &(Entity, Arc<SceneLot>)| state.asks_about_neighbours();
+        let asks = |(_, state): &LotState| state.asks_about_neighbours();
         if !self.new.as_ref().or(self.old.as_ref()).is_some_and(asks) {
             return false;
         }

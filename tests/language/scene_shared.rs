@@ -79,7 +79,7 @@ fn old_and_new_states_affect_the_lots_that_ask_about_them() {
     let (lots, distant) = (row(9), shared(Row::default(), &Shape::rectangle(10.0, 10.0).at([200.0, 0.0, 0.0])));
     let scene = SharedScene::new(lots.clone());
     assert_eq!((scene.neighbours(4), scene.neighbours(0), scene.neighbours(9)), (vec![3, 5], vec![1], vec![]));
-    assert_eq!(scene.affected_by(&[&*lots[4]]), [3, 5]);
+    assert_eq!(scene.affected_by(&[&*lots[4]]), [3, 4, 5]);
     assert_eq!(scene.affected_by(&[&*lots[4], &*lots[5]]), [3, 4, 5, 6]);
     assert_eq!(scene.affected_by(&[&*distant]), [0_usize; 0]);
     assert_eq!(scene.affected_by(&[]), [0_usize; 0]);
@@ -89,7 +89,7 @@ fn old_and_new_states_affect_the_lots_that_ask_about_them() {
     let old = moved.remove(4);
     let new = shared(Row::default(), &Shape::rectangle(10.0, 10.0).at([90.0, 0.0, 0.0]));
     moved.push(new.clone());
-    assert_eq!(SharedScene::new(moved).affected_by(&[&*old, &*new]), [3, 4, 7]);
+    assert_eq!(SharedScene::new(moved).affected_by(&[&*old, &*new]), [3, 4, 7, 8]);
 }
 
 #[test]
@@ -101,13 +101,15 @@ fn lots_without_labels_affect_no_queries_of_labels() {
     let (church, tree) = (shared(Church::default(), &place(3)), shared(Tree::default(), &place(1)));
     let (near, far) = (shared(House::default(), &place(2)), shared(House::default(), &place(9)));
     let scene = SharedScene::new(vec![near.clone(), church.clone(), far, tree.clone()]);
-    assert_eq!(scene.affected_by(&[&*church]), [0, 2]);
-    assert_eq!(scene.affected_by(&[&*tree, &*near]), [0_usize; 0]);
+    assert_eq!(scene.affected_by(&[&*church]), [0, 1, 2]);
+    assert_eq!(scene.affected_by(&[&*tree, &*near]), [0, 3]);
     assert_eq!([0, 1, 2, 3].map(|at| scene.neighbours(at)), [vec![1], vec![], vec![1], vec![]]);
     assert!(near.asks_about_neighbours() && !tree.asks_about_neighbours());
     assert_eq!([0, 2].map(|at| crate::lines(&model(&scene, at)).join("")), ["8", "58"]);
+    let alone = SharedScene::new(vec![church.clone(), tree.clone()]);
+    assert_eq!((alone.affected_by(&[&*tree]), alone.affected_by(&[&*near])), (vec![1], vec![]));
     let scene = scene.context_distance(10.0);
-    assert_eq!(scene.affected_by(&[&*church]), [0]);
+    assert_eq!(scene.affected_by(&[&*church]), [0, 1]);
     assert_eq!(crate::lines(&model(&scene, 2)), ["inf"]);
 }
 

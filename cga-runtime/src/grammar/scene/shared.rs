@@ -1,7 +1,9 @@
 //! Scenes whose lots have grammars and settings of their own, for programs in which lots change.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::ptr;
 use std::sync::{Arc, OnceLock};
 
 use super::ghosts::{Derivations, Distances, SceneRun, plan_box};
@@ -102,10 +104,7 @@ impl SceneLot {
 ///     let new = Arc::new(SceneLot::new(grammar.boxed(), shape, Settings::default()));
 ///     let old = std::mem::replace(&mut lots[at], new.clone());
 ///     let next = SharedScene::new(lots);
-///     let mut affected = next.affected_by(&[&*old, &*new]);
-///     affected.push(at);
-///     affected.sort_unstable();
-///     affected.dedup();
+///     let affected = next.affected_by(&[&*old, &*new]);
 ///     let models = affected.into_iter().map(|index| next.generate_lot(index, None)).collect();
 ///     (next, models)
 /// }
@@ -156,19 +155,19 @@ impl SharedScene {
         }
     }
 
-    /// The indices of the lots whose models may change because other lots do: those whose rules can ask about one of `changed`. For a lot that
-    /// changes, `changed` has its old and its new state, for one that comes or goes its only state. A lot of the scene does not count
-    /// as its own neighbour.
+    /// The indices of the lots whose models may change if the lots of `changed` do: themselves, and those whose rules can ask about one of
+    /// them. For a lot that changes, `changed` has its old and its new state, for one that comes or goes its only state.
     pub fn affected_by(&self, changed: &[&SceneLot]) -> Vec<usize> {
-        if !self.lots.iter().any(|lot| lot.asks_about_neighbours()) {
-            return Vec::new();
-        }
-        let labelled = changed.iter().copied().filter(|lot| lot.has_any(Queries::LABELS)).collect();
-        let (occluding, labelled) = (Plan::of(changed.to_vec()), Plan::of(labelled));
+        let own: BTreeSet<*const SceneLot> = changed.iter().map(|lot| ptr::from_ref(*lot)).collect();
+        let asks = self.lots.iter().any(|lot| lot.asks_about_neighbours());
+        let near = if asks { changed } else { &[] };
+        let occluding = Plan::of(near.to_vec());
+        let labelled = Plan::of(near.iter().copied().filter(|lot| lot.has_any(Queries::LABELS)).collect());
         let is_affected = |lot: &SceneLot| {
             let Distances { occlusion, context } = self.distances;
-            lot.has_any(Queries::INTER_OCCLUSION) && occluding.has_other(lot, occlusion)
-                || lot.has_any(Queries::INTER_CONTEXT) && labelled.has_other(lot, context)
+            own.contains(&ptr::from_ref(lot))
+                || lot.has_any(Queries::INTER_OCCLUSION) && occluding.has_near(lot, occlusion)
+                || lot.has_any(Queries::INTER_CONTEXT) && labelled.has_near(lot, context)
         };
         let affected = self.lots.iter().enumerate().filter(|(_, lot)| is_affected(lot));
         affected.map(|(index, _)| index).collect()
@@ -203,25 +202,24 @@ impl SharedScene {
     }
 }
 
-/// Lots with a tree of their boxes.
-struct Plan<'a> {
-    lots: Vec<&'a SceneLot>,
+/// The boxes of lots, with a tree.
+struct Plan {
+    boxes: Vec<Bounds>,
     tree: BoundsTree,
 }
 
-impl<'a> Plan<'a> {
-    fn of(lots: Vec<&'a SceneLot>) -> Self {
+impl Plan {
+    fn of(lots: Vec<&SceneLot>) -> Self {
         let boxes: Vec<Bounds> = lots.iter().map(|lot| lot.facts().plan).collect();
-        Plan { lots, tree: BoundsTree::of(&boxes) }
+        Plan { tree: BoundsTree::of(&boxes), boxes }
     }
 
-    /// Returns true if a lot of the plan that is not `own` is at most so far from it.
-    fn has_other(&self, own: &SceneLot, distance: f64) -> bool {
-        let is_near = |bounds: &Bounds| bounds.distance(&own.facts().plan) <= distance;
+    /// Returns true if a lot of the plan is at most so far from another one.
+    fn has_near(&self, lot: &SceneLot, distance: f64) -> bool {
+        let is_near = |bounds: &Bounds| bounds.distance(&lot.facts().plan) <= distance;
         let mut is_found = false;
         self.tree.visit(is_near, |at| {
-            let lot = self.lots[at as usize];
-            is_found = !std::ptr::eq(lot, own) && is_near(&lot.facts().plan);
+            is_found = is_near(&self.boxes[at as usize]);
             !is_found
         });
         is_found
