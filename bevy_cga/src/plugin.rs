@@ -6,12 +6,12 @@ use bevy_asset::AssetApp;
 use bevy_asset::{AssetEventSystems, Assets};
 use bevy_ecs::change_detection::{DetectChanges, DetectChangesMut};
 use bevy_ecs::entity::{Entity, EntityIndexSet};
-use bevy_ecs::lifecycle::{Remove, RemovedComponents};
+use bevy_ecs::lifecycle::Remove;
 use bevy_ecs::observer::On;
 use bevy_ecs::query::Changed;
 use bevy_ecs::schedule::common_conditions::resource_changed;
 use bevy_ecs::schedule::{IntoScheduleConfigs, SystemSet};
-use bevy_ecs::system::{Commands, Query, Res, ResMut, SystemParam};
+use bevy_ecs::system::{Commands, Query, Res, ResMut};
 use bevy_ecs::world::Ref;
 use bevy_mesh::Mesh;
 use bevy_transform::TransformSystems;
@@ -38,15 +38,19 @@ pub struct CgaSystems;
 
 impl Plugin for CgaPlugin {
     fn build(&self, app: &mut App) {
-        app.init_resource::<CgaOrigin>().init_resource::<Scenes>().add_observer(remove_model).add_systems(
-            PostUpdate,
-            (start_runs, end_runs, move_roots.run_if(resource_changed::<CgaOrigin>))
-                .chain()
-                .in_set(CgaSystems)
-                // The renderer takes new meshes in the frame in which it loses the old ones.
-                .before(AssetEventSystems)
-                .before(TransformSystems::Propagate),
-        );
+        app.init_resource::<CgaOrigin>()
+            .init_resource::<Scenes>()
+            .add_observer(remove_model)
+            .add_observer(note_removed)
+            .add_systems(
+                PostUpdate,
+                (start_runs, end_runs, move_roots.run_if(resource_changed::<CgaOrigin>))
+                    .chain()
+                    .in_set(CgaSystems)
+                    // The renderer takes new meshes in the frame in which it loses the old ones.
+                    .before(AssetEventSystems)
+                    .before(TransformSystems::Propagate),
+            );
         #[cfg(feature = "eval")]
         app.init_asset::<crate::CgaRules>()
             .register_asset_loader(crate::CgaRuleLoader::default())
@@ -62,40 +66,20 @@ impl Plugin for CgaPlugin {
     }
 }
 
-/// The entities whose grammar or scene has changed, and the scenes whose distances have.
-#[derive(SystemParam)]
-struct Changes<'w, 's> {
-    grammars: Query<'w, 's, Entity, Changed<Cga>>,
-    without_grammar: RemovedComponents<'w, 's, Cga>,
-    lots: Query<'w, 's, Entity, Changed<CgaLotOf>>,
-    without_scene: RemovedComponents<'w, 's, CgaLotOf>,
-    scenes: Query<'w, 's, Entity, Changed<CgaScene>>,
-    without_distances: RemovedComponents<'w, 's, CgaScene>,
-}
-
-impl Changes<'_, '_> {
-    /// The entities that may have changed, each once.
-    fn entities(&mut self) -> EntityIndexSet {
-        let removed = self.without_grammar.read().chain(self.without_scene.read());
-        self.grammars.iter().chain(&self.lots).chain(removed).collect()
-    }
-
-    fn scenes(&mut self) -> Vec<Entity> {
-        self.scenes.iter().chain(self.without_distances.read()).collect()
-    }
-}
-
 /// Starts a run for each entity that has changed and for the lots that can ask about it, or marks the run under way.
 fn start_runs(
-    mut changed: Changes,
+    (grammars, lots): (Query<Entity, Changed<Cga>>, Query<Entity, Changed<CgaLotOf>>),
     entities: Query<(Ref<Cga>, Option<&CgaLotOf>)>,
-    scenes: Query<&CgaScene>,
+    (scenes, changed_scenes): (Query<&CgaScene>, Query<Entity, Changed<CgaScene>>),
     mut known: ResMut<Scenes>,
     mut runs: Query<(&Cga, Option<&mut CgaRun>)>,
     mut commands: Commands,
 ) {
+    let removed = known.take_removed();
+    let touched: EntityIndexSet = grammars.iter().chain(&lots).chain(removed.iter().copied()).collect();
+    let changed_scenes: Vec<Entity> = changed_scenes.iter().chain(removed).collect();
     let (mut alone, mut changes) = (Vec::new(), Vec::new());
-    for entity in changed.entities() {
+    for entity in touched {
         let cga = entities.get(entity).ok();
         let is_changed = cga.as_ref().is_some_and(|(cga, _)| cga.is_changed());
         let from = known.scene_of(entity);
@@ -111,7 +95,7 @@ fn start_runs(
     }
     let distances = |scene| scenes.get(scene).copied().unwrap_or_default();
     // The passes live until the runs share them.
-    let Affected { mut lots, passes: _passes } = known.update(changes, &changed.scenes(), distances);
+    let Affected { mut lots, passes: _passes } = known.update(changes, &changed_scenes, distances);
     lots.extend(alone);
     for entity in lots {
         match runs.get_mut(entity) {
@@ -123,6 +107,11 @@ fn start_runs(
             Err(_) => {}
         }
     }
+}
+
+/// Notes an entity that may leave a scene, or a scene that may lose its distances. Unlike messages, the list waits for systems that pause.
+fn note_removed(removed: On<Remove, (Cga, CgaLotOf, CgaScene)>, mut known: ResMut<Scenes>) {
+    known.note_removed(removed.entity);
 }
 
 /// Shows the results of runs that have ended.

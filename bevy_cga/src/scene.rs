@@ -47,6 +47,8 @@ pub(crate) struct Scenes {
     scenes: EntityHashMap<SceneState>,
     /// The scene of each lot.
     of_lots: EntityHashMap<Entity>,
+    /// The entities that have lost a component since the last look.
+    removed: Vec<Entity>,
 }
 
 #[derive(Debug, Default)]
@@ -97,6 +99,18 @@ pub(crate) struct Affected {
 }
 
 impl Scenes {
+    /// Notes an entity that has lost its grammar, its scene or its distances, if it is known as a lot or a scene.
+    pub(crate) fn note_removed(&mut self, entity: Entity) {
+        if self.of_lots.contains_key(&entity) || self.scenes.contains_key(&entity) {
+            self.removed.push(entity);
+        }
+    }
+
+    /// The noted entities, which are forgotten.
+    pub(crate) fn take_removed(&mut self) -> Vec<Entity> {
+        std::mem::take(&mut self.removed)
+    }
+
     /// The scene of a lot.
     pub(crate) fn scene_of(&self, lot: Entity) -> Option<Entity> {
         self.of_lots.get(&lot).copied()

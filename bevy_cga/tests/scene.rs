@@ -4,7 +4,7 @@ mod common;
 
 use std::panic::panic_any;
 
-use bevy_app::App;
+use bevy_app::{App, PostUpdate};
 use bevy_cga::*;
 use bevy_ecs::prelude::*;
 use cga::sink::meshes::Granularity;
@@ -395,5 +395,24 @@ fn a_clone_of_a_lot_is_a_lot_of_its_scene() {
     let copy = app.world_mut().entity_mut(lots[2]).clone_and_spawn();
     change_only(&mut app, copy, |cga| cga.shape = place(3));
     assert_eq!(runs(&mut app), sorted(&[lots[2], copy]));
+    assert_equal_to_scene(&app, scene);
+}
+
+#[test]
+fn changes_while_the_systems_pause_are_not_lost() {
+    #[derive(Resource)]
+    struct IsPaused(bool);
+
+    let mut app = app();
+    app.insert_resource(IsPaused(false));
+    app.configure_sets(PostUpdate, CgaSystems.run_if(|paused: Res<IsPaused>| !paused.0));
+    let scene = scene(&mut app);
+    let lots = row(&mut app, scene, 7);
+    app.world_mut().resource_mut::<IsPaused>().0 = true;
+    app.world_mut().despawn(lots[1]);
+    app.world_mut().entity_mut(lots[4]).remove::<CgaLotOf>();
+    (0..5).for_each(|_| app.update());
+    app.world_mut().resource_mut::<IsPaused>().0 = false;
+    assert_eq!(runs(&mut app), [lots[0], lots[2], lots[3], lots[4], lots[5]]);
     assert_equal_to_scene(&app, scene);
 }
