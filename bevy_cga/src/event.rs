@@ -18,7 +18,8 @@ pub struct CgaGenerated {
     pub root: Entity,
     /// The model: leaves, reports, faults.
     pub model: Arc<Model>,
-    /// False if the component has changed since the run began. Then the next run is under way.
+    /// False if the component, or a lot of the scene that its rules can ask about, has changed since the run began. Then
+    /// the next run is under way.
     pub is_newest: bool,
 }
 

@@ -11,6 +11,7 @@ mod plugin;
 #[cfg(feature = "eval")]
 mod rules;
 mod run;
+mod scene;
 mod show;
 mod source;
 
@@ -21,4 +22,5 @@ pub use plugin::{CgaPlugin, CgaSystems};
 #[cfg(feature = "eval")]
 pub use rules::{CgaFile, CgaRuleLoader, CgaRules};
 pub use run::CgaRun;
+pub use scene::{CgaLotOf, CgaLots, CgaScene};
 pub use source::{Cga, LeafEvents};

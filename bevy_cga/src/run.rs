@@ -3,6 +3,7 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
+use bevy_asset::RenderAssetUsages;
 use bevy_ecs::component::Component;
 use bevy_math::Vec3;
 use bevy_mesh::Mesh;
@@ -10,12 +11,14 @@ use bevy_tasks::futures::check_ready;
 use bevy_tasks::{AsyncComputeTaskPool, Task, TaskPool};
 use bevy_transform::components::Transform;
 use cga::glam::DVec3;
-use cga::{Model, Watch};
+use cga::sink::meshes::Granularity;
+use cga::{Error, Model, Watch};
 
 use crate::channel::Channels;
 use crate::convert;
 use crate::event::CgaError;
 use crate::parts::CgaMesh;
+use crate::scene::LotPlace;
 use crate::source::{Cga, LeafEvents};
 
 /// A run is under way for this entity. Removing the component ends the run without a model.
@@ -61,21 +64,23 @@ pub(crate) struct GeneratedLeaf {
 }
 
 impl CgaRun {
-    /// Starts a run.
-    pub(crate) fn start(cga: &Cga) -> Self {
-        let mut cga = cga.clone();
-        let watch = cga.settings.watch.is_none().then(Watch::new);
-        if watch.is_some() {
-            cga.settings.watch.clone_from(&watch);
-        }
+    /// Starts a run, for a lot of a scene at its place among the others.
+    pub(crate) fn start(cga: &Cga, place: Option<LotPlace>) -> Self {
+        let own = cga.settings.watch.is_none().then(Watch::new);
+        let watch = own.clone().or_else(|| cga.settings.watch.clone());
+        let source = place.map_or_else(
+            || RunSource::alone(cga, watch.clone()),
+            |place| RunSource::Lot { place, watch: watch.clone() },
+        );
+        let shown = Shown { granularity: cga.granularity, leaf_events: cga.leaf_events.clone(), usages: cga.usages };
         let pool = AsyncComputeTaskPool::get_or_init(TaskPool::default);
         let task = pool.spawn(async move {
-            catch_unwind(AssertUnwindSafe(|| generate(&cga))).unwrap_or_else(|panic| {
+            catch_unwind(AssertUnwindSafe(|| generate(&source, &shown))).unwrap_or_else(|panic| {
                 let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
                 Err(CgaError::Panic(text.or_else(|| panic.downcast_ref().cloned()).unwrap_or_default()))
             })
         });
-        CgaRun { task, watch, is_outdated: false }
+        CgaRun { task, watch: own, is_outdated: false }
     }
 
     /// The result, once.
@@ -92,16 +97,44 @@ impl Drop for CgaRun {
     }
 }
 
-fn generate(cga: &Cga) -> Result<Generated, CgaError> {
-    let model = cga.grammar.generate_with(&cga.shape, &cga.settings).map_err(CgaError::Run)?;
+/// The source of a model.
+enum RunSource {
+    Alone(Box<Cga>),
+    Lot { place: LotPlace, watch: Option<Watch> },
+}
+
+impl RunSource {
+    fn alone(cga: &Cga, watch: Option<Watch>) -> Self {
+        let mut cga = Box::new(cga.clone());
+        cga.settings.watch = watch;
+        RunSource::Alone(cga)
+    }
+
+    fn model(&self) -> Result<Model, Error> {
+        match self {
+            RunSource::Alone(cga) => cga.grammar.generate_with(&cga.shape, &cga.settings),
+            RunSource::Lot { place, watch } => place.generate(watch.as_ref()),
+        }
+    }
+}
+
+/// The choices of [`Cga`] for the meshes and events of a model.
+struct Shown {
+    granularity: Granularity,
+    leaf_events: LeafEvents,
+    usages: RenderAssetUsages,
+}
+
+fn generate(source: &RunSource, shown: &Shown) -> Result<Generated, CgaError> {
+    let model = source.model().map_err(CgaError::Run)?;
     if model.report().stopped {
         return Err(CgaError::Stopped);
     }
-    let meshes = model.meshes(cga.granularity);
+    let meshes = model.meshes(shown.granularity);
     let origin = meshes.origin;
     let meshes = meshes.into_iter().map(|mut mesh| {
         let mut channels = Channels::of(&mesh);
-        let made = convert::mesh(&mut mesh, &mut channels, cga.usages);
+        let made = convert::mesh(&mut mesh, &mut channels, shown.usages);
         let name = mesh.rule.as_ref().map_or_else(|| material_name(&mesh.material), ToString::to_string);
         let part = |leaves| CgaMesh {
             rule: mesh.rule.clone(),
@@ -123,13 +156,14 @@ fn generate(cga: &Cga) -> Result<Generated, CgaError> {
         GeneratedMesh { mesh: made, places }
     });
     let meshes = meshes.collect();
-    let leaves = if cga.leaf_events == LeafEvents::None { Vec::new() } else { leaves(&model, cga, origin) };
+    let leaves =
+        if shown.leaf_events == LeafEvents::None { Vec::new() } else { leaves(&model, &shown.leaf_events, origin) };
     Ok(Generated { model: Arc::new(model), origin, meshes, leaves })
 }
 
 /// The leaves with events.
-fn leaves(model: &Model, cga: &Cga, origin: DVec3) -> Vec<GeneratedLeaf> {
-    let chosen = model.leaves().enumerate().filter(|(_, leaf)| cga.leaf_events.includes(leaf.rule()));
+fn leaves(model: &Model, events: &LeafEvents, origin: DVec3) -> Vec<GeneratedLeaf> {
+    let chosen = model.leaves().enumerate().filter(|(_, leaf)| events.includes(leaf.rule()));
     let made = chosen.map(|(leaf, view)| GeneratedLeaf {
         leaf,
         transform: convert::corner(&view.scope(), origin),

@@ -13,6 +13,7 @@ use crate::convert;
 use crate::event::{CgaError, CgaFailed, CgaGenerated, CgaLeaf};
 use crate::parts::{CgaModel, CgaOrigin, CgaRoot};
 use crate::run::{CgaRun, Generated};
+use crate::scene::Scenes;
 use crate::source::Cga;
 
 /// The faults of a model that are logged; its report has all.
@@ -21,14 +22,14 @@ const LOGGED: usize = 8;
 /// Ends the run of an entity: shows the result or reports the error, and starts the next run if the component has
 /// changed. An entity that has no run any more, or no grammar, is left alone.
 pub(crate) fn end(world: &mut World, entity: Entity, result: Result<Generated, CgaError>) {
-    let Ok(mut owner) = world.get_entity_mut(entity) else { return };
-    let (Some(cga), Some(run)) = (owner.get::<Cga>(), owner.get::<CgaRun>()) else { return };
+    let (Some(cga), Some(run)) = (world.get::<Cga>(entity), world.get::<CgaRun>(entity)) else { return };
     let is_newest = !run.is_outdated;
     if is_newest {
-        owner.remove::<CgaRun>();
+        world.entity_mut(entity).remove::<CgaRun>();
     } else {
-        let next = CgaRun::start(cga);
-        owner.insert(next);
+        let cga = cga.clone();
+        let place = world.resource_mut::<Scenes>().place_of(entity);
+        world.entity_mut(entity).insert(CgaRun::start(&cga, place));
     }
     match result {
         Ok(generated) => show(world, entity, generated, is_newest),

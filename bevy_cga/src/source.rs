@@ -4,7 +4,7 @@ use bevy_asset::RenderAssetUsages;
 use bevy_ecs::component::Component;
 use bevy_transform::components::Transform;
 use cga::sink::meshes::Granularity;
-use cga::{Grammar, Settings, Shape};
+use cga::{Grammar, SceneLot, Settings, Shape};
 
 /// A grammar on an initial shape. Its model becomes a child of this entity.
 ///
@@ -13,6 +13,8 @@ use cga::{Grammar, Settings, Shape};
 /// becomes visible, and a slider that moves every frame shows models on the way.
 ///
 /// Change detection of Bevy decides: a mutable access counts as a change, also if it sets an equal value.
+///
+/// Its rules know no neighbours, unless the entity is a lot of a scene: [`CgaLotOf`](crate::CgaLotOf).
 ///
 /// The entity's own [`Transform`] moves the model; `bevy_cga` does not change it. Coordinates of the shape are relative
 /// to [`CgaOrigin`](crate::CgaOrigin).
@@ -81,6 +83,11 @@ impl Cga {
     #[must_use]
     pub fn usages(self, usages: RenderAssetUsages) -> Self {
         Cga { usages, ..self }
+    }
+
+    /// The lot of a scene.
+    pub(crate) fn scene_lot(&self) -> SceneLot {
+        SceneLot::new(self.grammar.clone(), self.shape.clone(), self.settings.clone())
     }
 }
 

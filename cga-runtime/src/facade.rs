@@ -9,6 +9,7 @@ pub use crate::grammar::Grammar;
 pub use crate::grammar::grammars::Grammars;
 pub use crate::grammar::parallel::Stretch;
 pub use crate::grammar::scene::Scene;
+pub use crate::grammar::scene::shared::{SceneLot, SharedScene};
 pub use crate::grammar::session::DynSession;
 pub use crate::material::Material;
 pub use crate::output::model::Model;

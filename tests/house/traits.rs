@@ -24,8 +24,9 @@ use cga::{
     ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
     Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, Scope, Session, Settings, Shape, ShapeNode,
-    ShapeRef, ShapeTree, StartRule, Stretch, Summary, Text, Value, ValueType, Watch, WriteError, WrongLots, cga,
+    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, SceneLot, Scope, Session, Settings, Shape,
+    ShapeNode, ShapeRef, ShapeTree, SharedScene, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
+    WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
@@ -65,7 +66,7 @@ fn public_types_have_the_common_traits() {
     // The error of a writer can be neither copied nor compared.
     each!(state: WriteError);
     // They share assets or a watch, or refer to a mesh, a model or a tree.
-    each!(state: Assets, Grammars, Live, RuleFile, RuleLoader, Scene<'static>, Settings, Shape, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
+    each!(state: Assets, Grammars, Live, RuleFile, RuleLoader, Scene<'static>, SceneLot, Settings, Shape, SharedScene, Watch, FaceRef<'static>, Leaves<'static>, ShapeNode<'static>);
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution, Watertight<Model>);
     // They belong to the thread of a run.

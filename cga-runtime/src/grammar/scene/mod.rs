@@ -1,11 +1,12 @@
 //! Scenes: initial shapes whose rules may ask about each other.
 
 mod ghosts;
+pub mod shared;
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use self::ghosts::{Distances, SceneRun};
+use self::ghosts::{Distances, InSession, SceneRun, plan_box};
 use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::grammar::grammars::Grammars;
@@ -41,6 +42,8 @@ use crate::shape::Shape;
 /// Neighbours are dropped as soon as no later initial shape can ask about them, so initial shapes that are neighbours should be near each
 /// other in the list. Labelled shapes stay until the end where the distance is infinite. If rules ask for labels of all initial shapes and for
 /// closed shapes of neighbours, and more than 4,096 initial shapes have labels, each is derived twice, so that closed shapes need not stay.
+///
+/// A [`SharedScene`](shared::SharedScene) has lots that change.
 ///
 /// ```
 /// # // Rules are compiled by the crate `cga`; its tests run an example.
@@ -87,21 +90,21 @@ impl<'s> Scene<'s> {
     }
 
     fn with_rules(rules: SceneRules<'s>, lots: &'s [Shape]) -> Self {
-        Scene { rules, lots, distances: Distances { occlusion: 1.0, context: f64::INFINITY } }
+        Scene { rules, lots, distances: Distances::default() }
     }
 
     /// Sets the distance in metres up to which occlusion queries ask about another initial shape: 1 by default. NaN and negative numbers
     /// count as 0.
     #[must_use]
     pub fn occlusion_distance(self, metres: f64) -> Self {
-        Scene { distances: Distances { occlusion: metres.max(0.0), ..self.distances }, ..self }
+        Scene { distances: self.distances.with_occlusion(metres), ..self }
     }
 
     /// Sets the distance in metres up to which queries of labelled shapes ask about another initial shape: infinite by default. NaN and
     /// negative numbers count as 0.
     #[must_use]
     pub fn context_distance(self, metres: f64) -> Self {
-        Scene { distances: Distances { context: metres.max(0.0), ..self.distances }, ..self }
+        Scene { distances: self.distances.with_context(metres), ..self }
     }
 
     /// The initial shapes.
@@ -199,11 +202,12 @@ impl<'s> Scene<'s> {
             return Err(Error::Shape(format!("the scene has no initial shape {index}")).into());
         }
         let mut session = self.open(&Settings { echo: false, ..settings.clone() })?;
-        let run = SceneRun::new(self.lots, self.distances, &mut session);
+        let run = self.scene_run(&mut session);
         if run.asks_about_all(index) {
-            run.index_labels(&|settings| self.open(settings), settings)?;
+            run.index_labels(self.lots, &|settings| self.open(settings), settings)?;
         }
-        let RunOutcome { report, error, failed_neighbour } = run.outcome(&mut session, index, sink);
+        let mut runs = InSession { session: &mut session, lots: self.lots };
+        let RunOutcome { report, error, failed_neighbour } = run.outcome(&mut runs, index, sink);
         if settings.echo {
             derive::echo(report.prints());
         }
@@ -219,7 +223,13 @@ impl<'s> Scene<'s> {
     /// An attribute is refused, or the start rule is unknown.
     pub fn affected_by(&self, index: usize, settings: &Settings) -> Result<Vec<usize>, Error> {
         let mut session = self.open(settings)?;
-        Ok(SceneRun::new(self.lots, self.distances, &mut session).affected_by(index))
+        Ok(self.scene_run(&mut session).affected_by(index))
+    }
+
+    /// Finds the queries of all initial shapes.
+    fn scene_run(&self, session: &mut Worker<'_>) -> SceneRun {
+        let queries = self.lots.iter().map(|lot| session.queries(lot)).collect();
+        SceneRun::new(self.distances, queries, || self.lots.iter().map(plan_box).collect())
     }
 
     /// Opens a session for all lots.
@@ -238,13 +248,15 @@ impl<'s> Scene<'s> {
     ) -> Result<T, RunError> {
         let open = |settings: &Settings| self.open(settings);
         let mut session = self.open(&Settings { echo: false, ..settings.clone() })?;
-        let scene = SceneRun::new(self.lots, self.distances, &mut session);
+        let scene = self.scene_run(&mut session);
         drop(session);
         scene.count_users();
         if (0..self.lots.len()).any(|index| scene.asks_about_all(index)) {
-            scene.index_labels(&open, settings)?;
+            scene.index_labels(self.lots, &open, settings)?;
         }
-        let run_at = |session: &mut Worker<'_>, index: usize, sink: &mut dyn Sink| scene.outcome(session, index, sink);
+        let run_at = |session: &mut Worker<'_>, index: usize, sink: &mut dyn Sink| {
+            scene.outcome(&mut InSession { session, lots: self.lots }, index, sink)
+        };
         run(&Runs { open: &open, count: self.lots.len(), run: &run_at })
     }
 }
