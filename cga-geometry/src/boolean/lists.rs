@@ -156,3 +156,27 @@ impl<T: Copy> Polygons<T> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polygons_have_the_rings_that_were_added() {
+        let mut polygons = Polygons::default();
+        polygons.add_ring([1, 2, 3]);
+        polygons.add_ring([4, 5, 6, 7]);
+        assert_eq!((polygons.len(), polygons.open_rings()), (0, 2));
+        polygons.end();
+        polygons.end();
+        polygons.add_ring([8, 9, 10]);
+        polygons.end();
+        let rings = |number| polygons.of(number).iter().map(<[u32]>::to_vec).collect::<Vec<_>>();
+        assert_eq!([0, 1, 2].map(rings), [vec![vec![1, 2, 3], vec![4, 5, 6, 7]], vec![], vec![vec![8, 9, 10]]]);
+        let edges: Vec<[u32; 2]> = polygons.of(0).edges().collect();
+        assert_eq!(edges, [[1, 2], [2, 3], [3, 1], [4, 5], [5, 6], [6, 7], [7, 4]]);
+        polygons.reverse(0);
+        assert_eq!((polygons.of(0).corners, polygons.of(0).ends), (&[3, 2, 1, 7, 6, 5, 4][..], &[3, 7][..]));
+        assert_eq!(polygons.of(2).corners, [8, 9, 10]);
+    }
+}

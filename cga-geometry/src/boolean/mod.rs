@@ -231,10 +231,19 @@ impl Input<'_> {
             selection::choose(op, &sheets, &rays, &windings, budget)?
         };
         let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands)?;
-        let (edges, sheets, chosen) = (&edges, &sheets, &chosen);
-        let maker = PolygonMaker { points: &points, edges, facets: &facets, sheets, tags: &tags, chosen };
+        let maker = PolygonMaker {
+            points: &points,
+            edges: &edges,
+            facets: &facets,
+            sheets: &sheets,
+            tags: &tags,
+            chosen: &chosen,
+        };
         let mut polygons = maker.polygons(budget)?;
         straight::drop_straight(&points, &mut polygons)?;
+        ask()?;
+        drop(sheets);
+        drop(edges);
         ask()?;
         // Points of the mesh keep their coordinates to the bit.
         let mut places: Vec<DVec3> = points.at.iter().map(|place| middle + *place / self.scale).collect();

@@ -89,13 +89,13 @@ impl ResultPolygons<'_> {
 }
 
 /// Makes polygons of chosen sheets.
-pub(super) struct PolygonMaker<'a> {
+pub(super) struct PolygonMaker<'a, 'c> {
     pub(super) points: &'a PointSet,
     pub(super) edges: &'a EdgeTable,
     pub(super) facets: &'a [Facet<'a>],
     pub(super) sheets: &'a Sheets,
     pub(super) tags: &'a EdgeTags,
-    pub(super) chosen: &'a ChosenSheets,
+    pub(super) chosen: &'c ChosenSheets,
 }
 
 /// An edge of the outline of united sheets.
@@ -110,9 +110,9 @@ struct NetEdge {
     count: i32,
 }
 
-impl<'a> PolygonMaker<'a> {
+impl<'a, 'c> PolygonMaker<'a, 'c> {
     /// The polygons, in the order of their faces.
-    pub(super) fn polygons(&self, budget: &mut Budget) -> Result<ResultPolygons<'a>, BooleanError> {
+    pub(super) fn polygons(&self, budget: &mut Budget) -> Result<ResultPolygons<'c>, BooleanError> {
         let (mut made, sets) = (ResultPolygons::default(), self.sets());
         for set in sets.iter() {
             goes_on(set.iter().map(|one| self.sheet(*one).rings.corners.len()).sum())?;
@@ -227,7 +227,7 @@ impl<'a> PolygonMaker<'a> {
 
     /// Adds the polygon of united sheets, in the direction of the first source. Its rings start and follow each other as in its face.
     /// `None` if it is not a polygon with holes.
-    fn add(&self, set: &[u32], made: &mut ResultPolygons<'a>, budget: &mut Budget) -> Option<()> {
+    fn add(&self, set: &[u32], made: &mut ResultPolygons<'c>, budget: &mut Budget) -> Option<()> {
         let (first, facet, net) = (set[0], self.facet(set[0]), self.net(set)?);
         let (mut cells, mut followed) = (Cells::default(), Polygons::default());
         let rings = if set.len() == 1 {
