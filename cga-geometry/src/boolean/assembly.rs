@@ -7,7 +7,7 @@ use super::edge_table::NO_CORNER;
 use super::face_values::{FaceValues, Shares, only};
 use super::facet::Facet;
 use super::operation::{BooleanError, BooleanOp};
-use super::polygon::{PolygonCorner, ResultPolygon};
+use super::polygon::{PolygonCorner, ResultPolygon, ResultPolygons};
 use super::progress::goes_on;
 use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::each::Each;
@@ -19,7 +19,7 @@ use crate::triangulate::Triangulator;
 /// Makes the mesh of polygons.
 pub(super) struct Assembly<'a> {
     pub(super) mesh: &'a Mesh,
-    pub(super) facets: &'a [Facet],
+    pub(super) facets: &'a [Facet<'a>],
     /// The operand of each facet.
     pub(super) operands: &'a [u8],
     /// The places of points.
@@ -32,10 +32,10 @@ pub(super) struct Assembly<'a> {
 
 impl Assembly<'_> {
     /// The mesh of the result.
-    pub(super) fn mesh_of(&self, polygons: &[ResultPolygon]) -> Result<Mesh, BooleanError> {
+    pub(super) fn mesh_of(&self, polygons: &ResultPolygons<'_>) -> Result<Mesh, BooleanError> {
         // Points keep their order; new points come last.
-        let corners = || polygons.iter().flat_map(|polygon| polygon.rings.iter().flatten());
-        let mut used: Vec<u32> = corners().map(|corner| corner.point).collect();
+        let corners = polygons.iter().flat_map(|polygon| polygon.rings.corners);
+        let mut used: Vec<u32> = corners.map(|corner| corner.point).collect();
         let mut made = Derivation::new(self.mesh, CornerValues::All, used.len()).without_trace();
         if !long_sort_by(&mut used, Ord::cmp) {
             return Err(BooleanError::TooMany);
@@ -46,14 +46,14 @@ impl Assembly<'_> {
         let mut values: Option<FaceValues> = None;
         // The facet of the last polygon, and its corners of the mesh by their points.
         let (mut last_facet, mut corner_at) = (None, Vec::new());
-        for polygon in polygons {
-            goes_on(polygon.rings.iter().map(Vec::len).sum())?;
+        for polygon in polygons.iter() {
+            goes_on(polygon.rings.corners.len())?;
             let facet = &self.facets[polygon.sources[0] as usize];
             if last_facet.replace(polygon.sources[0]) != Some(polygon.sources[0]) {
-                corner_at = facet.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
+                corner_at = facet.rings.corners.iter().copied().zip(facet.sources.iter().copied()).collect();
                 corner_at.small_sort();
             }
-            for ring in &polygon.rings {
+            for ring in polygon.rings.iter() {
                 let shares = |place: usize| -> Shares {
                     let last = &ring[if place == 0 { ring.len() - 1 } else { place - 1 }];
                     self.on_outline(facet, &corner_at, last, &ring[place]).unwrap_or(only(NO_CORNER))
@@ -79,7 +79,7 @@ impl Assembly<'_> {
                 made.end_loop();
             }
             let origin = FaceOrigin::piece(&self.mesh.face(facet.face as usize));
-            made.end_tagged_face(origin, &self.tags(polygon));
+            made.end_tagged_face(origin, &self.tags(&polygon));
         }
         self.tag_components(&mut made, polygons, &used)?;
         goes_on(used.len())?;
@@ -90,11 +90,11 @@ impl Assembly<'_> {
     fn tag_components(
         &self,
         made: &mut Derivation<'_>,
-        polygons: &[ResultPolygon],
+        polygons: &ResultPolygons<'_>,
         used: &[u32],
     ) -> Result<(), BooleanError> {
         let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
-        for ring in polygons.iter().flat_map(|polygon| &polygon.rings) {
+        for ring in polygons.iter().flat_map(|polygon| polygon.rings.iter()) {
             goes_on(ring.len())?;
             for (corner, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {
                 if let Some(tags) = self.edge_tags.set(corner.tags)
@@ -114,7 +114,7 @@ impl Assembly<'_> {
     /// `corner_at` has the facet's corners of the mesh by their points.
     fn on_outline(
         &self,
-        facet: &Facet,
+        facet: &Facet<'_>,
         corner_at: &[(u32, u32)],
         last: &PolygonCorner,
         corner: &PolygonCorner,
@@ -137,7 +137,7 @@ impl Assembly<'_> {
     }
 
     /// The tags of a face: the tags of all its sources, with new ones for the operands.
-    fn tags(&self, polygon: &ResultPolygon) -> TagSet {
+    fn tags(&self, polygon: &ResultPolygon<'_>) -> TagSet {
         let of = |facet: &u32| {
             let tags = self.mesh.face(self.facets[*facet as usize].face as usize).tags();
             tags.map_or(&[][..], TagSet::names).iter().cloned()

@@ -9,6 +9,7 @@ use glam::DVec2;
 use super::budget::Budget;
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::lists::{Lists, Polygons};
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::{goes_on, sort};
@@ -20,91 +21,112 @@ use crate::exact::orient;
 use crate::mesh::Bounds;
 use crate::small_sort::SmallSort;
 
-/// The number of times that outlines wind around a place.
-pub(super) trait Winding: Clone + Default + PartialEq {
-    /// The number beyond a line that outlines follow `count` times: on its left, or on its right with `to_right`.
-    fn across(&self, count: &Self, to_right: bool) -> Self;
-
-    /// Returns true outside of all outlines.
-    fn is_outside(&self) -> bool;
-
-    /// The number of values.
-    fn len(&self) -> usize;
+/// A facet whose outline winds around a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct FacetWinding {
+    pub(super) facet: u32,
+    /// The number of times, seen from the front of the place. Not 0.
+    pub(super) winding: i32,
 }
 
-impl Winding for i32 {
-    fn across(&self, count: &Self, to_right: bool) -> Self {
-        if to_right { self - count } else { self + count }
-    }
-
-    fn is_outside(&self) -> bool {
-        *self == 0
-    }
-
-    fn len(&self) -> usize {
-        1
+/// Makes the windings beyond a line that outlines follow `count` times: on its left, or on its right with `to_right`. Both lists are in
+/// the order of the facets.
+fn pass(windings: &mut Vec<FacetWinding>, count: &[FacetWinding], to_right: bool) {
+    for step in count {
+        let change = if to_right { -step.winding } else { step.winding };
+        match windings.binary_search_by_key(&step.facet, |known| known.facet) {
+            Ok(at) => {
+                windings[at].winding += change;
+                if windings[at].winding == 0 {
+                    windings.remove(at);
+                }
+            }
+            Err(at) => windings.insert(at, FacetWinding { facet: step.facet, winding: change }),
+        }
     }
 }
 
-/// A region of a plane without edges that divide it.
-#[derive(Debug)]
-pub(super) struct Cell<W> {
-    /// The number of times that outlines wind around it. Not 0.
-    pub(super) winding: W,
+/// Regions of planes without edges that divide them.
+#[derive(Debug, Default)]
+pub(super) struct Cells {
     /// The outline, counter-clockwise in the facet's plane, and the holes.
-    pub(super) rings: Vec<Vec<u32>>,
+    pub(super) rings: Polygons<u32>,
+    /// The facets that are there, in order. Not empty.
+    pub(super) windings: Lists<FacetWinding>,
     /// Edges inside that do not divide it.
-    pub(super) inner: Vec<u32>,
+    pub(super) inner: Lists<u32>,
 }
 
-/// A line of the graph, and the number of times that the outline follows it, less the number of times backwards.
-pub(super) struct GraphLine<W> {
-    pub(super) ends: [u32; 2],
-    pub(super) count: W,
+/// Lines of a plane.
+#[derive(Debug, Default)]
+pub(super) struct GraphLines {
+    /// The edge of each line, and its points.
+    edges: Vec<u32>,
+    ends: Vec<[u32; 2]>,
+    /// For each line the facets whose outlines follow it, and the number of times, less the number of times backwards.
+    counts: Lists<FacetWinding>,
 }
 
-/// The cells that the lines with a count enclose. `at` gives the place of a point in the plane.
-pub(super) fn cells<W: Winding>(
-    lines: &[GraphLine<W>],
-    at: &dyn Fn(u32) -> DVec2,
-    budget: &mut Budget,
-) -> Result<Vec<Cell<W>>, BooleanError> {
-    let ends: Vec<[u32; 2]> = lines.iter().map(|line| line.ends).collect();
-    LineGraph::new(&ends, at)?.cells(lines, budget)
-}
-
-/// The cells of a facet.
-pub(super) fn cells_of(
-    points: &PointSet,
-    edges: &EdgeTable,
-    number: u32,
-    facet: &Facet,
-    budget: &mut Budget,
-) -> Result<Vec<Cell<i32>>, BooleanError> {
-    let count = |line: u32| edges.owner(line, number).map_or(0, |owner| owner.count);
-    if facet.lines.len() == facet.corners.len() && facet.is_convex && facet.lines.iter().all(|line| count(*line) != 0) {
-        return Ok(vec![Cell { winding: 1, rings: vec![facet.corners.clone()], inner: Vec::new() }]);
+impl GraphLines {
+    /// Adds a line that is an edge between two points. The facets of `count` are in order.
+    pub(super) fn push(&mut self, edge: u32, ends: [u32; 2], count: impl IntoIterator<Item = FacetWinding>) {
+        self.edges.push(edge);
+        self.ends.push(ends);
+        self.counts.add(count);
     }
-    let line = |line: &u32| GraphLine { ends: edges.list[*line as usize].ends, count: count(*line) };
-    let lines: Vec<GraphLine<i32>> = facet.lines.iter().map(line).collect();
-    let mut cells = cells(&lines, &|point| facet.flat(points.at[point as usize]), budget)?;
-    cells.iter_mut().flat_map(|cell| &mut cell.inner).for_each(|line| *line = facet.lines[*line as usize]);
-    // Lines that were led through points move by up to epsilon. A lost cell is much larger.
-    let area: f64 = cells.iter().map(|cell| f64::from(cell.winding) * double_area(points, facet, &cell.rings)).sum();
-    let length: f64 = lines.iter().map(|line| points.length(line.ends)).sum();
-    let is_whole = (area - facet.double_area(points)).abs() <= 8.0 * points.epsilon * length;
-    if is_whole { Ok(cells) } else { Err(BooleanError::Tangled) }
 }
 
-/// Twice the area of rings in a facet's plane.
-pub(super) fn double_area(points: &PointSet, facet: &Facet, rings: &[Vec<u32>]) -> f64 {
-    let flat = |point: u32| facet.flat(points.at[point as usize]);
-    let from = flat(rings[0][0]);
-    let ring_area = |ring: &Vec<u32>| -> f64 {
-        let ends = ring.iter().zip(ring.iter().cycle().skip(1));
-        ends.map(|(a, b)| (flat(*a) - from).perp_dot(flat(*b) - from)).sum()
-    };
-    rings.iter().map(ring_area).sum()
+impl Cells {
+    pub(super) fn len(&self) -> u32 {
+        self.rings.len()
+    }
+
+    /// Adds the cells that lines with a count enclose. `at` gives the place of a point in the plane.
+    pub(super) fn add(
+        &mut self,
+        lines: &GraphLines,
+        at: &dyn Fn(u32) -> DVec2,
+        budget: &mut Budget,
+    ) -> Result<(), BooleanError> {
+        LineGraph::new(&lines.ends, at)?.cells(lines, self, budget)
+    }
+
+    /// Adds the cells of a facet.
+    pub(super) fn add_facet(
+        &mut self,
+        points: &PointSet,
+        edges: &EdgeTable,
+        number: u32,
+        facet: &Facet<'_>,
+        budget: &mut Budget,
+    ) -> Result<(), BooleanError> {
+        let own = edges.lines(number);
+        let count = |line: &u32| edges.owner(*line, number).map_or(0, |owner| owner.count);
+        if own.len() == facet.rings.corners.len() && facet.is_convex && own.iter().all(|line| count(line) != 0) {
+            self.rings.add_ring(facet.rings.corners.iter().copied());
+            self.rings.end();
+            self.windings.add([FacetWinding { facet: number, winding: 1 }]);
+            self.inner.end();
+            return Ok(());
+        }
+        let mut lines = GraphLines::default();
+        for line in own {
+            let winding = count(line);
+            let count = (winding != 0).then_some(FacetWinding { facet: number, winding });
+            lines.push(*line, edges.list[*line as usize].ends, count);
+        }
+        let first = self.len();
+        self.add(&lines, &|point| facet.flat(points.at[point as usize]), budget)?;
+        // Lines that were led through points move by up to epsilon. A lost cell is much larger.
+        let area_of = |cell| {
+            let winding = self.windings.of(cell)[0].winding;
+            f64::from(winding) * facet.double_area(points, self.rings.of(cell))
+        };
+        let area: f64 = (first..self.len()).map(area_of).sum();
+        let length: f64 = lines.ends.iter().map(|ends| points.length(*ends)).sum();
+        let is_whole = (area - facet.double_area(points, facet.rings)).abs() <= 8.0 * points.epsilon * length;
+        if is_whole { Ok(()) } else { Err(BooleanError::Tangled) }
+    }
 }
 
 const NONE: u32 = u32::MAX;
@@ -120,13 +142,6 @@ struct LineGraph {
     leaving: Buckets,
     /// The place of each half-edge among all of these.
     places: Vec<u32>,
-}
-
-/// A cycle of half-edges with a face on its left.
-struct Cycle {
-    area: f64,
-    bounds: Bounds,
-    ring: Vec<u32>,
 }
 
 impl LineGraph {
@@ -177,47 +192,46 @@ impl LineGraph {
         }
     }
 
-    /// All cycles of the kept half-edges, and the cycle of each half-edge.
-    fn cycles(&self, is_kept: impl Fn(u32) -> bool + Copy) -> Result<(Vec<Cycle>, Vec<u32>), BooleanError> {
+    /// All cycles of the kept half-edges, each with an area on its left, and the cycle of each half-edge.
+    fn cycles(&self, is_kept: impl Fn(u32) -> bool + Copy) -> Result<(Lists<u32>, Vec<u32>), BooleanError> {
         let mut of_half = vec![NONE; self.starts.len()];
-        let mut cycles = Vec::new();
+        let mut cycles = Lists::default();
         for first in 0..self.starts.len() as u32 {
             if of_half[first as usize] != NONE || !is_kept(first) {
                 continue;
             }
             let mut half = first;
-            let mut ring = Vec::new();
             while of_half[half as usize] == NONE {
-                of_half[half as usize] = cycles.len() as u32;
-                ring.push(self.starts[half as usize]);
+                of_half[half as usize] = cycles.len();
+                cycles.push(self.starts[half as usize]);
                 half = self.next(half, is_kept);
             }
-            goes_on(ring.len())?;
-            let at = |point: u32| self.flat[point as usize];
-            let from = at(ring[0]);
-            let ends = ring.iter().zip(ring.iter().cycle().skip(1));
-            let area = ends.map(|(a, b)| (at(*a) - from).perp_dot(at(*b) - from)).sum();
-            let bounds = Bounds::of(ring.iter().map(|point| at(*point).extend(0.0)));
-            cycles.push(Cycle { area, bounds, ring });
+            goes_on(cycles.open().len())?;
+            cycles.end();
         }
         Ok((cycles, of_half))
     }
 
-    /// The cells that the lines with a count enclose.
-    fn cells<W: Winding>(&self, lines: &[GraphLine<W>], budget: &mut Budget) -> Result<Vec<Cell<W>>, BooleanError> {
+    /// Adds the cells that the lines with a count enclose.
+    fn cells(&self, lines: &GraphLines, cells: &mut Cells, budget: &mut Budget) -> Result<(), BooleanError> {
         let (cycles, of_half) = self.cycles(|_| true)?;
         let parts = self.connected_parts(&of_half)?;
+        let count = cycles.len() as usize;
         // The cell of each cycle, as the number of its outline, or `NONE` outside of all.
-        let mut cell: Vec<u32> = (0..cycles.len() as u32).collect();
-        let mut winding = vec![W::default(); cycles.len()];
-        let (mut open, mut windings): (Vec<u32>, usize) = (Vec::new(), 0);
-        let boxes: Vec<Bounds> = cycles.iter().map(|cycle| cycle.bounds).collect();
+        let mut cell: Vec<u32> = (0..cycles.len()).collect();
+        // The windings of each cycle, as the number of a list. The first list is the one outside of all.
+        let (mut windings, mut winding) = (Lists::default(), vec![0; count]);
+        windings.end();
+        let (mut open, mut all, mut value): (Vec<u32>, usize, Vec<FacetWinding>) = (Vec::new(), 0, Vec::new());
+        let bounds = |ring: &[u32]| Bounds::of(ring.iter().map(|point| self.flat[*point as usize].extend(0.0)));
+        let boxes: Vec<Bounds> = cycles.iter().map(bounds).collect();
         let tree = BoundsTree::of(&boxes);
-        let (mut is_done, mut is_known) = (vec![false; cycles.len()], vec![false; cycles.len()]);
+        let (mut is_done, mut is_known) = (vec![false; count], vec![false; count]);
         for (outer, halves) in parts.iter().map(|part| (part.outer, &part.halves)) {
-            let around = self.smallest_around(&cycles, &tree, &is_done, cycles[outer as usize].ring[0], budget)?;
+            let first = cycles.of(outer)[0];
+            let around = self.smallest_around(&cycles, (&boxes, &tree), &is_done, first, budget)?;
             cell[outer as usize] = around;
-            winding[outer as usize] = if around == NONE { W::default() } else { winding[around as usize].clone() };
+            winding[outer as usize] = if around == NONE { 0 } else { winding[around as usize] };
             let mut seen = vec![outer];
             open.push(outer);
             let mut by_cycle: Vec<(u32, u32)> = halves.iter().map(|half| (of_half[*half as usize], *half)).collect();
@@ -225,72 +239,97 @@ impl LineGraph {
             is_known[outer as usize] = true;
             while let Some(cycle) = open.pop() {
                 let from = by_cycle.partition_point(|entry| entry.0 < cycle);
+                let here = winding[cycle as usize];
                 for &(_, half) in by_cycle[from..].iter().take_while(|entry| entry.0 == cycle) {
                     let beyond = of_half[half as usize ^ 1];
+                    value.clear();
+                    value.extend(windings.of(here));
                     // The left side of a line has `count` more than its right side.
-                    let value = winding[cycle as usize].across(&lines[half as usize / 2].count, half % 2 == 0);
-                    budget.spend(value.len())?;
+                    pass(&mut value, lines.counts.of(half / 2), half % 2 == 0);
+                    let len = value.len().max(1);
+                    budget.spend(len)?;
                     if !std::mem::replace(&mut is_known[beyond as usize], true) {
-                        windings += value.len();
-                        if budget.windings < windings {
+                        all += len;
+                        if budget.windings < all {
                             return Err(BooleanError::TooMany);
                         }
-                        winding[beyond as usize] = value;
+                        let is_new = windings.of(here) != value;
+                        winding[beyond as usize] = if is_new { windings.len() } else { here };
+                        if is_new {
+                            windings.add(value.iter().copied());
+                        }
                         seen.push(beyond);
                         open.push(beyond);
-                    } else if winding[beyond as usize] != value {
+                    } else if windings.of(winding[beyond as usize]) != value {
                         return Err(BooleanError::Tangled);
                     }
                 }
             }
             seen.into_iter().filter(|cycle| *cycle != outer).for_each(|cycle| is_done[cycle as usize] = true);
         }
-        self.collect(&cell, &winding, &of_half)
+        let windings_of = |cycle: u32| windings.of(winding[cycle as usize]);
+        self.collect(&cell, windings_of, &of_half, &lines.edges, cells)
     }
 
     /// The cycles of half-edges between different cells, and the cycle of each half-edge.
-    fn borders(&self, cell: &[u32], of_half: &[u32]) -> Result<(Vec<Cycle>, Vec<u32>), BooleanError> {
+    fn borders(&self, cell: &[u32], of_half: &[u32]) -> Result<(Lists<u32>, Vec<u32>), BooleanError> {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
         self.cycles(|half| cell_of(half) != cell_of(half ^ 1))
     }
 
-    /// The cells with a winding number, with their rings.
-    fn collect<W: Winding>(&self, cell: &[u32], winding: &[W], of_half: &[u32]) -> Result<Vec<Cell<W>>, BooleanError> {
+    /// Adds the cells with a winding number, with their rings.
+    fn collect<'w>(
+        &self,
+        cell: &[u32],
+        windings_of: impl Fn(u32) -> &'w [FacetWinding],
+        of_half: &[u32],
+        edges: &[u32],
+        cells: &mut Cells,
+    ) -> Result<(), BooleanError> {
         let cell_of = |half: u32| cell[of_half[half as usize] as usize];
-        let (rings, ring_of) = self.borders(cell, of_half)?;
-        let mut cells: Vec<Cell<W>> = Vec::new();
+        let (borders, border_of) = self.borders(cell, of_half)?;
         let mut number_of = vec![NONE; cell.len()];
-        let mut is_done = vec![false; rings.len()];
+        let mut is_done = vec![false; borders.len() as usize];
+        // The outline of each new cell, as the number of a cycle.
+        let mut outlines: Vec<u32> = Vec::new();
+        // All rings and inner edges, and the cell of each.
+        let (mut rings, mut cell_of_ring) = (Lists::default(), Vec::new());
+        let (mut inner, mut cell_of_inner) = (Vec::new(), Vec::new());
         for half in 0..self.starts.len() as u32 {
             let outline = cell_of(half);
-            if outline == NONE || winding[outline as usize].is_outside() {
+            if outline == NONE || windings_of(outline).is_empty() {
                 continue;
             }
-            if number_of[outline as usize] == NONE {
-                number_of[outline as usize] = cells.len() as u32;
-                let winding = winding[outline as usize].clone();
-                cells.push(Cell { winding, rings: Vec::new(), inner: Vec::new() });
+            let number = &mut number_of[outline as usize];
+            if *number == NONE {
+                *number = outlines.len() as u32;
+                outlines.push(outline);
             }
-            let made = &mut cells[number_of[outline as usize] as usize];
-            let ring = ring_of[half as usize];
-            if ring == NONE {
+            let border = border_of[half as usize];
+            if border == NONE {
                 if half % 2 == 0 {
-                    made.inner.push(half / 2);
+                    inner.push(edges[half as usize / 2]);
+                    cell_of_inner.push(*number);
                 }
-            } else if !std::mem::replace(&mut is_done[ring as usize], true) {
-                self.add_simple_rings(&rings[ring as usize].ring, &mut made.rings);
+            } else if !std::mem::replace(&mut is_done[border as usize], true) {
+                self.add_simple_rings(borders.of(border), &mut rings);
+                cell_of_ring.resize(rings.len() as usize, *number);
             }
         }
-        for cell in &mut cells {
-            let area = |ring: &Vec<u32>| self.area(ring);
-            let outlines = cell.rings.iter().filter(|ring| 0.0 < area(ring)).count();
-            let Some(outline) = cell.rings.iter().position(|ring| 0.0 < area(ring)).filter(|_| outlines == 1) else {
-                return Err(BooleanError::Tangled);
-            };
-            cell.rings[..=outline].rotate_right(1);
-            cell.rings.iter_mut().flatten().for_each(|point| *point = self.points[*point as usize]);
+        let rings_of = Buckets::by(outlines.len(), cell_of_ring.iter().copied());
+        let inner_of = Buckets::by(outlines.len(), cell_of_inner.iter().copied());
+        for (number, outline) in outlines.into_iter().enumerate() {
+            let own = rings_of.of(number);
+            let mut outer = own.iter().filter(|ring| 0.0 < self.area(rings.of(**ring)));
+            let (Some(first), None) = (outer.next(), outer.next()) else { return Err(BooleanError::Tangled) };
+            for ring in [first].into_iter().chain(own.iter().filter(|ring| *ring != first)) {
+                cells.rings.add_ring(rings.of(*ring).iter().map(|point| self.points[*point as usize]));
+            }
+            cells.rings.end();
+            cells.windings.add(windings_of(outline).iter().copied());
+            cells.inner.add(inner_of.of(number).iter().map(|at| inner[*at as usize]));
         }
-        Ok(cells)
+        Ok(())
     }
 
     fn area(&self, ring: &[u32]) -> f64 {
@@ -299,11 +338,11 @@ impl LineGraph {
     }
 
     /// Divides a ring that meets itself into rings that have each point once.
-    fn add_simple_rings(&self, ring: &[u32], rings: &mut Vec<Vec<u32>>) {
+    fn add_simple_rings(&self, ring: &[u32], rings: &mut Lists<u32>) {
         let mut sorted = ring.to_vec();
         sorted.small_sort();
         if sorted.windows(2).all(|pair| pair[0] != pair[1]) {
-            return rings.push(ring.to_vec());
+            return rings.add(ring.iter().copied());
         }
         let mut stack: Vec<u32> = Vec::new();
         // The place of each point on the stack.
@@ -312,12 +351,16 @@ impl LineGraph {
             if let Some(start) = places.get(&point).copied() {
                 let found = stack.split_off(start as usize);
                 found.iter().for_each(|point| _ = places.remove(point));
-                rings.extend((3 <= found.len()).then_some(found));
+                if 3 <= found.len() {
+                    rings.add(found);
+                }
             }
             places.insert(point, stack.len() as u32);
             stack.push(point);
         }
-        rings.extend((3 <= stack.len()).then_some(stack));
+        if 3 <= stack.len() {
+            rings.add(stack);
+        }
     }
 
     /// The connected parts of the graph, those with large boxes first.
@@ -357,8 +400,8 @@ impl LineGraph {
     /// The smallest of some cycles around a point that is on none of them.
     fn smallest_around(
         &self,
-        cycles: &[Cycle],
-        tree: &BoundsTree,
+        cycles: &Lists<u32>,
+        (boxes, tree): (&[Bounds], &BoundsTree),
         counts: &[bool],
         point: u32,
         budget: &mut Budget,
@@ -371,16 +414,16 @@ impl LineGraph {
             |around| overlap(around, &here),
             |number| {
                 visited += 1;
-                let is_near = counts[number as usize] && overlap(&cycles[number as usize].bounds, &here);
+                let is_near = counts[number as usize] && overlap(&boxes[number as usize], &here);
                 near.extend(is_near.then_some(number));
                 true
             },
         );
         budget.spend(visited)?;
-        let area = |number: u32| cycles[number as usize].area;
+        let area = |number: u32| self.area(cycles.of(number));
         near.small_sort_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         for number in near {
-            let ring = &cycles[number as usize].ring;
+            let ring = cycles.of(number);
             budget.spend(ring.len())?;
             let mut turns = 0;
             for (a, b) in ring.iter().zip(ring.iter().cycle().skip(1)) {

@@ -35,7 +35,7 @@ impl EdgeTags {
         op: BooleanOp,
         mesh: &Mesh,
         edges: &EdgeTable,
-        facets: &[Facet],
+        facets: &[Facet<'_>],
         sheets: &Sheets,
         operands: &[u8],
     ) -> Result<Self, BooleanError> {
@@ -48,14 +48,14 @@ impl EdgeTags {
             goes_on(uses.len())?;
             let mut tags = TagSet::default();
             if has_tags {
-                for owner in edges.list[edge as usize].owners.iter().filter(|owner| owner.corner != NO_CORNER) {
+                for owner in edges.owners(edge).iter().filter(|owner| owner.corner != NO_CORNER) {
                     let ends = facets[owner.facet as usize].edge_sources(owner.corner);
                     let own = mesh.edge_tags(ends.each(|corner| mesh.corners()[corner as usize]));
                     tags = own.map_or_else(|| tags.clone(), |own| tags.union(own));
                 }
             }
             if op != BooleanOp::Unify {
-                let sources = || uses.iter().flat_map(|used| &sheets.list[used.sheet as usize].sources);
+                let sources = || uses.iter().flat_map(|used| sheets.at(used.sheet).sources);
                 let has = |operand: u8| sources().any(|source| operands[source.facet as usize] == operand);
                 tags = tags.without_below("bool");
                 if has(0) && has(1) {

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::facet::Facet;
+use super::growing_lists::GrowingLists;
 use super::point_set::PointSet;
 use crate::mesh::in_order;
 use crate::mesh::pair_table::PairTable;
@@ -23,21 +23,23 @@ pub(super) struct EdgeOwner {
 }
 
 /// An edge between two points, the smaller number first.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct ArrangedEdge {
     pub(super) ends: [u32; 2],
     /// The direction of the line that the edge is part of, from the first point to the second, and the line's length.
     /// An edge may be so short that its ends do not give a direction.
     pub(super) direction: DVec3,
     length: f64,
-    /// The facets, in increasing order. Empty if the edge was divided.
-    pub(super) owners: Vec<EdgeOwner>,
 }
 
-/// All edges, and their numbers by the numbers of their points.
+/// All edges, their numbers by the numbers of their points, and the facets in whose planes they are.
 #[derive(Default)]
 pub(super) struct EdgeTable {
     pub(super) list: Vec<ArrangedEdge>,
+    /// For each edge the facets, in increasing order. Empty if the edge was divided.
+    owners: GrowingLists<EdgeOwner>,
+    /// For each facet the edges in its plane.
+    lines: GrowingLists<u32>,
     /// The number of owners of all edges.
     pub(super) owner_count: usize,
     /// The numbers of edges by their ends, or [`DIVIDED`].
@@ -53,21 +55,31 @@ impl EdgeTable {
         self.at.get(a, b).filter(|number| *number != DIVIDED)
     }
 
+    /// The facets in whose planes an edge is, in increasing order. None if the edge was divided.
+    pub(super) fn owners(&self, edge: u32) -> &[EdgeOwner] {
+        self.owners.of(edge)
+    }
+
+    /// The edges in the plane of a facet.
+    pub(super) fn lines(&self, facet: u32) -> &[u32] {
+        self.lines.of(facet)
+    }
+
     /// The owner of an edge that is a facet.
     pub(super) fn owner(&self, edge: u32, facet: u32) -> Option<&EdgeOwner> {
-        let owners = &self.list[edge as usize].owners;
+        let owners = self.owners(edge);
         owners.binary_search_by_key(&facet, |owner| owner.facet).ok().map(|at| &owners[at])
     }
 
     /// Adds an edge to a facet. `count` and `corner` belong to the edge from `a` to `b`. `direction` is the whole line
     /// from `a` to `b`.
-    pub(super) fn add(&mut self, facets: &mut [Facet], [a, b]: [u32; 2], direction: DVec3, owner: EdgeOwner) {
+    pub(super) fn add(&mut self, [a, b]: [u32; 2], direction: DVec3, owner: EdgeOwner) {
         let (ends, turned) = ([a.min(b), a.max(b)], b < a);
         let (direction, count) = if turned { (-direction, -owner.count) } else { (direction, owner.count) };
         let (number, _) = self.at.entry(ends[0], ends[1], DIVIDED);
         if *number == DIVIDED {
             *number = self.list.len() as u32;
-            self.list.push(ArrangedEdge { ends, direction: DVec3::ZERO, length: -1.0, owners: Vec::new() });
+            self.list.push(ArrangedEdge { ends, direction: DVec3::ZERO, length: -1.0 });
         }
         let number = *number;
         let edge = &mut self.list[number as usize];
@@ -75,42 +87,42 @@ impl EdgeTable {
         if edge.length < length {
             (edge.direction, edge.length) = (direction / length, length);
         }
-        match edge.owners.binary_search_by_key(&owner.facet, |known| known.facet) {
+        match self.owners.of(number).binary_search_by_key(&owner.facet, |known| known.facet) {
             Ok(at) => {
-                edge.owners[at].count += count;
-                if edge.owners[at].corner == NO_CORNER {
-                    edge.owners[at].corner = owner.corner;
+                let known = &mut self.owners.of_mut(number)[at];
+                known.count += count;
+                if known.corner == NO_CORNER {
+                    known.corner = owner.corner;
                 }
             }
             Err(at) => {
-                edge.owners.insert(at, EdgeOwner { count, ..owner });
+                self.owners.insert(number, at, EdgeOwner { count, ..owner });
                 self.owner_count += 1;
-                facets[owner.facet as usize].lines.push(number);
+                self.lines.push(owner.facet, number);
             }
         }
     }
 
-    /// Removes an owner of an edge.
+    /// Removes an owner of an edge. The facet still lists the edge, until [`drop_foreign`](Self::drop_foreign).
     pub(super) fn disown(&mut self, edge: u32, facet: u32) {
-        let owners = &mut self.list[edge as usize].owners;
-        if let Ok(at) = owners.binary_search_by_key(&facet, |owner| owner.facet) {
-            owners.remove(at);
-            self.owner_count -= 1;
-        }
+        let before = self.owners(edge).len();
+        self.owners.retain(edge, |owner| owner.facet != facet);
+        self.owner_count -= before - self.owners(edge).len();
+    }
+
+    /// Drops the lines of a facet that it does not own any more.
+    pub(super) fn drop_foreign(&mut self, facet: u32) {
+        let owners = &self.owners;
+        let is_own = |line: &u32| owners.of(*line).binary_search_by_key(&facet, |owner| owner.facet).is_ok();
+        self.lines.retain(facet, is_own);
     }
 
     /// Divides an edge at points on it. The facets that own it are added to `changed`; they still list the edge, which has no
     /// owners any more.
-    pub(super) fn divide(
-        &mut self,
-        facets: &mut [Facet],
-        points: &PointSet,
-        edge: u32,
-        cuts: &mut [u32],
-        changed: &mut Vec<u32>,
-    ) {
-        let ArrangedEdge { ends, direction, length, ref mut owners } = self.list[edge as usize];
-        let owners = std::mem::take(owners);
+    pub(super) fn divide(&mut self, points: &PointSet, edge: u32, cuts: &mut [u32], changed: &mut Vec<u32>) {
+        let ArrangedEdge { ends, direction, length } = self.list[edge as usize];
+        let owners = self.owners(edge).to_vec();
+        self.owners.clear(edge);
         self.owner_count -= owners.len();
         *self.at.entry(ends[0], ends[1], DIVIDED).0 = DIVIDED;
         let place = |point: u32| points.at[point as usize];
@@ -121,7 +133,7 @@ impl EdgeTable {
             let mut from = ends[0];
             for &to in cuts.iter().chain([&ends[1]]) {
                 if from != to {
-                    self.add(facets, [from, to], direction * length, owner);
+                    self.add([from, to], direction * length, owner);
                 }
                 from = to;
             }

@@ -41,7 +41,7 @@ impl FaceValues {
     }
 
     /// The shares at a place: the corners of the triangle that contains it, or nearly does.
-    pub(super) fn shares(&self, facet: &Facet, place: DVec3) -> Shares {
+    pub(super) fn shares(&self, facet: &Facet<'_>, place: DVec3) -> Shares {
         let place = self.projection.apply(place);
         let here = Bounds::of([place.extend(0.0)]);
         let mut near = Vec::new();

@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::lists::{Lists, Polygons, Rings};
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::goes_on;
@@ -12,7 +13,7 @@ use crate::mesh::{Bounds, FaceRef, Mesh, unit};
 use crate::triangulate::{PlaneProjection, Triangulator};
 
 /// A planar polygon with holes: a face of the mesh, or a triangle of a bent face.
-pub(super) struct Facet {
+pub(super) struct Facet<'a> {
     /// The face of the mesh.
     pub(super) face: u32,
     /// True if it is only a part of the face.
@@ -21,21 +22,17 @@ pub(super) struct Facet {
     pub(super) normal: DVec3,
     pub(super) projection: PlaneProjection,
     /// The points of the outline and the holes.
-    pub(super) corners: Vec<u32>,
+    pub(super) rings: Rings<'a, u32>,
     /// For each corner the corner of the mesh. In increasing order, except in a part of a face.
-    pub(super) sources: Vec<u32>,
-    /// The end of each loop in `corners`.
-    pub(super) ends: Vec<u32>,
+    pub(super) sources: &'a [u32],
     /// The bounding box, which is larger by epsilon on all sides.
     pub(super) bounds: Bounds,
     pub(super) is_convex: bool,
-    /// The edges in its plane.
-    pub(super) lines: Vec<u32>,
     /// A tree of the loops' edges, if there are many.
     pub(super) rim_tree: Option<RimTree>,
 }
 
-impl Facet {
+impl<'a> Facet<'a> {
     /// The place of a point in the facet's plane.
     pub(super) fn flat(&self, place: DVec3) -> DVec2 {
         self.projection.apply(place)
@@ -51,25 +48,12 @@ impl Facet {
         (place - self.origin).dot(self.normal)
     }
 
-    /// The ranges of the loops in `corners`.
-    pub(super) fn loops(&self) -> impl Iterator<Item = std::ops::Range<usize>> + '_ {
-        let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        starts.zip(&self.ends).map(|(start, end)| start as usize..*end as usize)
-    }
-
-    /// The edges of the loops, as the numbers of their corners.
-    pub(super) fn rim(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
-        self.loops().flat_map(|ring| {
-            let (start, end) = (ring.start, ring.end);
-            ring.map(move |corner| [corner, if corner + 1 == end { start } else { corner + 1 }])
-        })
-    }
-
     /// The corners of the mesh at both ends of the edge of the loops that starts at a corner.
     pub(super) fn edge_sources(&self, corner: u32) -> [u32; 2] {
-        let ring = self.ends.partition_point(|end| *end <= corner);
-        let start = if ring == 0 { 0 } else { self.ends[ring - 1] };
-        let next = if corner + 1 == self.ends[ring] { start } else { corner + 1 };
+        let ends = self.rings.ends;
+        let ring = ends.partition_point(|end| *end <= corner);
+        let start = if ring == 0 { 0 } else { ends[ring - 1] };
+        let next = if corner + 1 == ends[ring] { start } else { corner + 1 };
         [corner, next].each(|corner| self.sources[corner as usize])
     }
 
@@ -80,12 +64,12 @@ impl Facet {
             true => self.sources.iter().position(|known| *known == source),
             false => self.sources.binary_search(&source).ok(),
         };
-        place.map(|place| self.corners[place])
+        place.map(|place| self.rings.corners[place])
     }
 
     /// The places of an edge of the loops in the facet's plane.
     fn flat_edge(&self, points: &PointSet, edge: [usize; 2]) -> [DVec2; 2] {
-        edge.each(|corner| self.flat(points.at[self.corners[corner] as usize]))
+        edge.each(|corner| self.flat(points.at[self.rings.corners[corner] as usize]))
     }
 
     /// The number of times that the loops wind around a place, and the number of edges that were compared.
@@ -103,8 +87,8 @@ impl Facet {
             // Edges that are on the left of the place do not count.
             Some(tree) => tree.visit(place, DVec2::new(f64::INFINITY, place.y), pass),
             None => {
-                self.rim().for_each(&mut pass);
-                self.corners.len()
+                self.rings.rim().for_each(&mut pass);
+                self.rings.corners.len()
             }
         };
         (turns, compared)
@@ -123,33 +107,15 @@ impl Facet {
             let share = ((place - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             place.distance(a + (b - a) * share)
         };
-        self.rim().map(distance).fold(f64::INFINITY, f64::min)
+        self.rings.rim().map(distance).fold(f64::INFINITY, f64::min)
     }
 
-    fn of(points: &PointSet, face: u32, is_part: bool, normal: DVec3, rings: &[Vec<[u32; 2]>]) -> Option<Facet> {
-        let (mut corners, mut sources, mut ends) = (Vec::new(), Vec::new(), Vec::new());
-        for ring in rings {
-            let start = corners.len();
-            for [point, source] in ring {
-                if corners.len() == start || corners.last() != Some(point) {
-                    corners.push(*point);
-                    sources.push(*source);
-                }
-            }
-            while start + 1 < corners.len() && corners[start] == corners[corners.len() - 1] {
-                corners.pop();
-                sources.pop();
-            }
-            if corners.len() < start + 3 {
-                corners.truncate(start);
-                sources.truncate(start);
-            } else {
-                ends.push(corners.len() as u32);
-            }
-        }
-        let origin = points.at[*corners.first()? as usize];
-        let box_of = Bounds::of(corners.iter().map(|point| points.at[*point as usize]));
+    /// The facet with an outline. `None` if it has no area.
+    fn of(points: &PointSet, outline: Outline, rings: Rings<'a, u32>, sources: &'a [u32]) -> Option<Self> {
+        let origin = points.at[*rings.corners.first()? as usize];
+        let box_of = Bounds::of(rings.corners.iter().map(|point| points.at[*point as usize]));
         let bounds = Bounds { low: box_of.low - points.epsilon, high: box_of.high + points.epsilon };
+        let Outline { face, is_part, normal } = outline;
         let projection = PlaneProjection::along(normal);
         let mut facet = Facet {
             face,
@@ -157,58 +123,43 @@ impl Facet {
             origin,
             normal,
             projection,
-            corners,
+            rings,
             sources,
-            ends,
             bounds,
             is_convex: false,
-            lines: Vec::new(),
             rim_tree: None,
         };
         facet.is_convex = facet.find_convex(points);
-        let around: f64 = facet.rim().map(|edge| points.length(edge.each(|corner| facet.corners[corner]))).sum();
-        if facet.double_area(points).abs() <= points.epsilon * around {
+        let around: f64 = rings.edges().map(|edge| points.length(edge)).sum();
+        if facet.double_area(points, rings).abs() <= points.epsilon * around {
             return None;
         }
-        if MOST_WITHOUT_TREE < facet.corners.len() {
-            let at = |corner: usize| facet.flat(points.at[facet.corners[corner] as usize]);
-            facet.rim_tree = Some(RimTree::new(facet.rim().collect(), at, points.epsilon));
+        if MOST_WITHOUT_TREE < rings.corners.len() {
+            let at = |corner: usize| facet.flat(points.at[rings.corners[corner] as usize]);
+            facet.rim_tree = Some(RimTree::new(rings.rim().collect(), at, points.epsilon));
         }
         Some(facet)
     }
 
-    /// Twice the area in projection.
-    pub(super) fn double_area(&self, points: &PointSet) -> f64 {
-        let from = self.flat(self.origin);
-        self.rim().map(|edge| self.flat_edge(points, edge)).map(|[a, b]| (a - from).perp_dot(b - from)).sum()
+    /// Twice the area of a polygon in the facet's plane, in projection.
+    pub(super) fn double_area(&self, points: &PointSet, rings: Rings<'_, u32>) -> f64 {
+        let from = rings.corners.first().map_or(DVec2::ZERO, |first| self.flat(points.at[*first as usize]));
+        let ends = rings.edges().map(|edge| edge.each(|point| self.flat(points.at[point as usize]) - from));
+        ends.map(|[a, b]| a.perp_dot(b)).sum()
     }
 
-    /// A facet of the same plane without an outline and without lines.
+    /// A facet of the same plane without an outline.
     pub(super) fn without_outline(&self) -> Self {
-        let Facet { face, is_part, origin, normal, projection, bounds, .. } = *self;
-        Facet {
-            face,
-            is_part,
-            origin,
-            normal,
-            projection,
-            corners: Vec::new(),
-            sources: Vec::new(),
-            ends: Vec::new(),
-            bounds,
-            is_convex: false,
-            lines: Vec::new(),
-            rim_tree: None,
-        }
+        Facet { rings: Rings::EMPTY, sources: &[], is_convex: false, rim_tree: None, ..*self }
     }
 
     /// Returns true if the outline turns left at every corner and only once around.
     fn find_convex(&self, points: &PointSet) -> bool {
-        let count = self.corners.len();
-        if self.ends.len() != 1 {
+        let count = self.rings.corners.len();
+        if self.rings.ends.len() != 1 {
             return false;
         }
-        let at = |corner: usize| self.flat(points.at[self.corners[corner % count] as usize]);
+        let at = |corner: usize| self.flat(points.at[self.rings.corners[corner % count] as usize]);
         let turns_left = (0..count).all(|corner| 0 <= orient(at(corner), at(corner + 1), at(corner + 2)));
         let rises = |corner: usize| at(corner).y < at(corner + 1).y;
         turns_left && (0..count).filter(|&corner| rises(corner) && !rises(corner + 1)).count() <= 1
@@ -225,29 +176,79 @@ impl PointSet {
 /// The steps of work of a corner of a new facet.
 const FACET: usize = 4;
 
-/// The facets of all faces with an area, in their order. `numbers` gives the point of the arrangement for each point of the
-/// mesh.
-pub(super) fn facets_of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Result<Vec<Facet>, BooleanError> {
-    let (mut facets, mut triangulator, mut triangles) = (Vec::new(), Triangulator::new(), Vec::new());
-    for face in mesh.faces() {
-        goes_on(FACET * face.corner_count())?;
-        let corner = |corner: usize| [numbers[mesh.corners()[corner] as usize], corner as u32];
-        let normal = face.normal();
-        if is_planar(&face, points, numbers, normal) {
-            let rings: Vec<Vec<[u32; 2]>> = face.loop_ranges().map(|ring| ring.map(corner).collect()).collect();
-            facets.extend(Facet::of(points, face.index() as u32, false, normal, &rings));
-            continue;
+/// The plane of an outline.
+#[derive(Clone, Copy)]
+struct Outline {
+    face: u32,
+    is_part: bool,
+    normal: DVec3,
+}
+
+/// The outlines of facets.
+#[derive(Default)]
+pub(super) struct Outlines {
+    list: Vec<Outline>,
+    rings: Polygons<u32>,
+    sources: Lists<u32>,
+    /// The corners of a ring.
+    ring: Vec<[u32; 2]>,
+}
+
+impl Outlines {
+    /// The outlines of all faces, in their order. `numbers` gives the point of the arrangement for each point of the mesh.
+    pub(super) fn of(mesh: &Mesh, points: &PointSet, numbers: &[u32]) -> Result<Self, BooleanError> {
+        let (mut outlines, mut triangulator, mut triangles) = (Outlines::default(), Triangulator::new(), Vec::new());
+        let point = |corner: usize| numbers[mesh.corners()[corner] as usize];
+        for face in mesh.faces() {
+            goes_on(FACET * face.corner_count())?;
+            let (number, normal) = (face.index() as u32, face.normal());
+            if is_planar(&face, points, numbers, normal) {
+                face.loop_ranges()
+                    .for_each(|ring| outlines.add_ring(ring.map(|corner| [point(corner), corner as u32])));
+                outlines.end(Outline { face: number, is_part: false, normal });
+                continue;
+            }
+            triangles.clear();
+            triangulator.face(mesh, face.index(), &mut triangles);
+            for triangle in &triangles {
+                let ring = triangle.each(|corner| [point(corner as usize), corner]);
+                let [a, b, c] = ring.each(|[point, _]| points.at[point as usize]);
+                outlines.add_ring(ring);
+                outlines.end(Outline { face: number, is_part: true, normal: unit((b - a).cross(c - a)) });
+            }
         }
-        triangles.clear();
-        triangulator.face(mesh, face.index(), &mut triangles);
-        for triangle in &triangles {
-            let ring = triangle.each(|number| corner(number as usize));
-            let [a, b, c] = ring.each(|[point, _]| points.at[point as usize]);
-            let normal = unit((b - a).cross(c - a));
-            facets.extend(Facet::of(points, face.index() as u32, true, normal, &[ring.to_vec()]));
+        Ok(outlines)
+    }
+
+    /// Adds a ring of points and corners of the mesh. Corners at one point are one.
+    fn add_ring(&mut self, ring: impl IntoIterator<Item = [u32; 2]>) {
+        self.ring.clear();
+        self.ring.extend(ring);
+        self.ring.dedup_by_key(|[point, _]| *point);
+        while 1 < self.ring.len() && self.ring.first().map(|first| first[0]) == self.ring.last().map(|last| last[0]) {
+            self.ring.pop();
+        }
+        if 3 <= self.ring.len() {
+            self.rings.add_ring(self.ring.iter().map(|[point, _]| *point));
+            self.ring.iter().for_each(|[_, source]| self.sources.push(*source));
         }
     }
-    Ok(facets)
+
+    fn end(&mut self, outline: Outline) {
+        self.list.push(outline);
+        self.rings.end();
+        self.sources.end();
+    }
+
+    /// The facets of all outlines with an area, in their order.
+    pub(super) fn facets(&self, points: &PointSet) -> Result<Vec<Facet<'_>>, BooleanError> {
+        let mut facets = Vec::with_capacity(self.list.len());
+        for (outline, (rings, sources)) in self.list.iter().zip(self.rings.iter().zip(self.sources.iter())) {
+            goes_on(rings.corners.len())?;
+            facets.extend(Facet::of(points, *outline, rings, sources));
+        }
+        Ok(facets)
+    }
 }
 
 fn is_planar(face: &FaceRef<'_>, points: &PointSet, numbers: &[u32], normal: DVec3) -> bool {

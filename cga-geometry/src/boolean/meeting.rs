@@ -42,8 +42,8 @@ impl PlaneSection {
     fn measure(
         &mut self,
         points: &PointSet,
-        facet: &Facet,
-        plane: &Facet,
+        facet: &Facet<'_>,
+        plane: &Facet<'_>,
         budget: &mut Budget,
     ) -> Result<bool, BooleanError> {
         let height = |point: u32| {
@@ -54,21 +54,21 @@ impl PlaneSection {
         self.is_local = facet.rim_tree.is_some();
         if let Some(tree) = &facet.rim_tree {
             let compared = tree.near(facet.flat_box(&plane.bounds), &mut self.rim);
-            self.heights.extend(self.rim.as_flattened().iter().map(|corner| height(facet.corners[*corner])));
+            self.heights.extend(self.rim.as_flattened().iter().map(|corner| height(facet.rings.corners[*corner])));
             budget.spend(compared + 2 * self.rim.len())?;
             self.is_flat = self.heights.iter().all(|height| *height == 0.0)
-                && facet.corners.iter().all(|point| height(*point) == 0.0);
+                && facet.rings.corners.iter().all(|point| height(*point) == 0.0);
             return Ok(true);
         }
-        self.heights.extend(facet.corners.iter().map(|point| height(*point)));
-        budget.spend(facet.corners.len())?;
+        self.heights.extend(facet.rings.corners.iter().map(|point| height(*point)));
+        budget.spend(facet.rings.corners.len())?;
         let above = self.heights.iter().all(|height| 0.0 < *height);
         self.is_flat = self.heights.iter().all(|height| *height == 0.0);
         Ok(!above && !self.heights.iter().all(|height| *height < 0.0))
     }
 
     /// Finds the points and edges of the outline on the plane.
-    fn cross(&mut self, points: &mut PointSet, facet: &Facet) {
+    fn cross(&mut self, points: &mut PointSet, facet: &Facet<'_>) {
         self.points.clear();
         self.runs.clear();
         if self.is_local {
@@ -77,7 +77,7 @@ impl PlaneSection {
                 self.pass(points, facet, [from, to], [self.heights[2 * number], self.heights[2 * number + 1]]);
             }
         } else {
-            for [from, to] in facet.rim() {
+            for [from, to] in facet.rings.rim() {
                 self.pass(points, facet, [from, to], [self.heights[from], self.heights[to]]);
             }
         }
@@ -86,8 +86,8 @@ impl PlaneSection {
     }
 
     /// Adds the point or the edge that an edge has on the plane.
-    fn pass(&mut self, points: &mut PointSet, facet: &Facet, edge: [usize; 2], heights: [f64; 2]) {
-        let ends = edge.each(|corner| facet.corners[corner]);
+    fn pass(&mut self, points: &mut PointSet, facet: &Facet<'_>, edge: [usize; 2], heights: [f64; 2]) {
+        let ends = edge.each(|corner| facet.rings.corners[corner]);
         if heights[0] == 0.0 {
             self.points.push(ends[0]);
             if heights[1] == 0.0 {
@@ -112,7 +112,7 @@ impl PlaneSection {
     fn contains(
         &self,
         points: &PointSet,
-        facet: &Facet,
+        facet: &Facet<'_>,
         along: DVec3,
         place: DVec3,
         budget: &mut Budget,
@@ -147,7 +147,7 @@ impl FacetMeeting {
         &mut self,
         points: &mut PointSet,
         edges: &mut EdgeTable,
-        facets: &mut [Facet],
+        facets: &[Facet<'_>],
         pair: [u32; 2],
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
@@ -187,7 +187,7 @@ impl FacetMeeting {
         for ends in self.found.drain(..) {
             for facet in pair {
                 // The direction is exact whatever the length of the piece, so it counts as long.
-                edges.add(facets, ends, along, EdgeOwner { facet, count: 0, corner: NO_CORNER });
+                edges.add(ends, along, EdgeOwner { facet, count: 0, corner: NO_CORNER });
             }
         }
         Ok(())
@@ -195,7 +195,7 @@ impl FacetMeeting {
 }
 
 /// The direction of the line in which two facets meet.
-fn line_direction(points: &PointSet, first: &Facet, second: &Facet, found: [&[u32]; 2]) -> DVec3 {
+fn line_direction(points: &PointSet, first: &Facet<'_>, second: &Facet<'_>, found: [&[u32]; 2]) -> DVec3 {
     let along = first.normal.cross(second.normal);
     let length = along.length();
     if PARALLEL < length {
@@ -219,7 +219,7 @@ fn line_direction(points: &PointSet, first: &Facet, second: &Facet, found: [&[u3
 pub(super) fn dividing_edges(
     points: &PointSet,
     edges: &EdgeTable,
-    facets: &[Facet],
+    facets: &[Facet<'_>],
     [giver, taker]: [u32; 2],
     budget: &mut Budget,
 ) -> Result<Vec<[u32; 2]>, BooleanError> {
@@ -227,16 +227,16 @@ pub(super) fn dividing_edges(
     let mut near = Vec::new();
     match &from.rim_tree {
         Some(tree) => budget.spend(tree.near(from.flat_box(&to.bounds), &mut near))?,
-        None => near.extend(from.rim()),
+        None => near.extend(from.rings.rim()),
     }
     budget.spend(near.len())?;
     let is_own = |ends: [u32; 2]| edges.find(ends).is_some_and(|edge| edges.owner(edge, taker).is_some());
-    let ends = near.iter().map(|edge| edge.each(|corner| from.corners[corner]));
+    let ends = near.iter().map(|edge| edge.each(|corner| from.rings.corners[corner]));
     Ok(ends.filter(|ends| may_meet(points, to, *ends) && !is_own(*ends)).collect())
 }
 
 /// Returns false if an edge in the plane of a facet certainly has no point in it except for corners of the facet.
-fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
+fn may_meet(points: &PointSet, facet: &Facet<'_>, ends: [u32; 2]) -> bool {
     let [a, b] = ends.each(|point| points.at[point as usize]);
     let is_apart = facet.bounds.high.cmplt(a.min(b)).any() || a.max(b).cmplt(facet.bounds.low).any();
     if is_apart {
@@ -249,10 +249,10 @@ fn may_meet(points: &PointSet, facet: &Facet, ends: [u32; 2]) -> bool {
     let is_beyond = |edge: [usize; 2]| {
         let outside = [0, 1].each(|end| {
             let left = facet.left_of(points, edge, flat[end]);
-            left < -2.0 * points.epsilon || (left <= points.epsilon && facet.corners.contains(&ends[end]))
+            left < -2.0 * points.epsilon || (left <= points.epsilon && facet.rings.corners.contains(&ends[end]))
         });
-        let both_on_it = ends.iter().all(|end| edge.iter().any(|corner| facet.corners[*corner] == *end));
+        let both_on_it = ends.iter().all(|end| edge.iter().any(|corner| facet.rings.corners[*corner] == *end));
         outside[0] && outside[1] && !both_on_it
     };
-    !(facet.is_convex && facet.rim().any(is_beyond))
+    !(facet.is_convex && facet.rings.rim().any(is_beyond))
 }

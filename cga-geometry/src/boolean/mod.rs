@@ -17,6 +17,8 @@ mod component_tags;
 mod edge_table;
 mod face_values;
 mod facet;
+mod growing_lists;
+mod lists;
 mod meeting;
 mod noding;
 mod operation;
@@ -39,14 +41,14 @@ use super::mesh::join::join;
 use super::mesh::{Bounds, Mesh};
 use super::tol::{BOOLEAN_EPSILONS, THINNEST_SOLID};
 use crate::bounds_tree::{BoundsTree, overlap};
+use crate::each::Each;
 use crate::small_sort::SmallSort;
 use crate::unbent::bent_along;
 use assembly::Assembly;
 use budget::Budget;
-use cell::Cell;
 use component_tags::{EdgeTags, vertex_tags};
 use edge_table::{EdgeOwner, EdgeTable};
-use facet::{Facet, facets_of};
+use facet::{Facet, Outlines};
 use meeting::FacetMeeting;
 pub use operation::{BooleanError, BooleanOp};
 use plane_group::PlaneGroups;
@@ -54,7 +56,7 @@ use point_set::PointSet;
 use polygon::PolygonMaker;
 use progress::{ask, goes_on};
 use ray::RayCaster;
-use sheet::{SheetSource, Sheets};
+use sheet::Sheets;
 use shell::{Shell, ShellKind, close_shells, shells};
 use winding::Windings;
 
@@ -187,16 +189,17 @@ impl Input<'_> {
             goes_on(1)?;
             numbers.push(points.number((*point - middle) * self.scale));
         }
-        let mut facets = facets_of(self.mesh, &points, &numbers)?;
+        let outlines = Outlines::of(self.mesh, &points, &numbers)?;
+        let mut facets = outlines.facets(&points)?;
         let mesh_of: Vec<u32> = facets.iter().map(|facet| self.mesh_of_face[facet.face as usize]).collect();
         let operands: Vec<u8> = mesh_of.iter().map(|mesh| u8::from(self.firsts <= *mesh)).collect();
-        let mut edges = outlines(&points, &mut facets)?;
+        let mut edges = outline_edges(&points, &facets)?;
         let mut shells = shells(&points, &edges, &facets, &mesh_of)?;
         let boxes: Vec<Bounds> = facets.iter().map(|facet| facet.bounds).collect();
         let tree = BoundsTree::of(&boxes);
-        let overlapping = meet_all(&mut points, &mut edges, &mut facets, &tree, budget)?;
+        let overlapping = meet_all(&mut points, &mut edges, &facets, &tree, budget)?;
         let groups = PlaneGroups::of(&points, &mut edges, &mut facets, &overlapping, budget)?;
-        let divided = noding::divide_edges(&mut points, &mut edges, &mut facets, &groups, budget);
+        let divided = noding::divide_edges(&mut points, &mut edges, &facets, &groups, budget);
         budget.spend_edges(&edges);
         divided?;
         let mut cells = groups.cells(&points, &edges, &facets, budget)?;
@@ -207,14 +210,8 @@ impl Input<'_> {
             return Err(BooleanError::Tangled);
         }
         for facet in (0..facets.len() as u32).filter(|facet| !groups.is_member(*facet)) {
-            let own = cell::cells_of(&points, &edges, facet, &facets[facet as usize], budget)?;
-            let with_source = |Cell { winding, rings, inner }| {
-                let winding = vec![SheetSource { facet, winding }];
-                Cell { winding, rings, inner }
-            };
-            cells.extend(own.into_iter().map(with_source));
+            cells.add_facet(&points, &edges, facet, &facets[facet as usize], budget)?;
         }
-        cells.sort_by_key(|cell| cell.winding[0].facet);
         let sheets = Sheets::of(&edges, &facets, cells)?;
         let mut kinds = vec![ShellKind::Open; facets.len()];
         let closed = shells.iter().filter(|shell| shell.is_closed).flat_map(|shell| &shell.facets);
@@ -234,11 +231,17 @@ impl Input<'_> {
             selection::choose(op, &sheets, &rays, &windings, budget)?
         };
         let tags = EdgeTags::new(op, self.mesh, &edges, &facets, &sheets, &operands)?;
-        let maker = PolygonMaker { points: &points, edges: &edges, facets: &facets, sheets: &sheets, tags: &tags };
-        let mut polygons = maker.polygons(&chosen, budget)?;
+        let maker = PolygonMaker {
+            points: &points,
+            edges: &edges,
+            facets: &facets,
+            sheets: &sheets,
+            tags: &tags,
+            chosen: &chosen,
+        };
+        let mut polygons = maker.polygons(budget)?;
         straight::drop_straight(&points, &mut polygons)?;
         ask()?;
-        drop(groups);
         drop(sheets);
         drop(edges);
         ask()?;
@@ -288,17 +291,16 @@ impl Input<'_> {
     }
 }
 
-/// The outlines of facets.
-fn outlines(points: &PointSet, facets: &mut [Facet]) -> Result<EdgeTable, BooleanError> {
+/// The edges of the outlines of facets.
+fn outline_edges(points: &PointSet, facets: &[Facet<'_>]) -> Result<EdgeTable, BooleanError> {
     let mut edges = EdgeTable::default();
-    for number in 0..facets.len() {
-        let facet = &facets[number];
-        goes_on(2 * facet.corners.len())?;
-        let rim: Vec<([u32; 2], u32)> =
-            facet.rim().map(|[a, b]| ([facet.corners[a], facet.corners[b]], a as u32)).collect();
-        for (ends, corner) in rim {
-            let direction = points.at[ends[1] as usize] - points.at[ends[0] as usize];
-            edges.add(facets, ends, direction, EdgeOwner { facet: number as u32, count: 1, corner });
+    for (number, facet) in (0..).zip(facets) {
+        let corners = facet.rings.corners;
+        goes_on(2 * corners.len())?;
+        for edge in facet.rings.rim() {
+            let [a, b] = edge.each(|corner| points.at[corners[corner] as usize]);
+            let owner = EdgeOwner { facet: number, count: 1, corner: edge[0] as u32 };
+            edges.add(edge.each(|corner| corners[corner]), b - a, owner);
         }
     }
     Ok(edges)
@@ -308,7 +310,7 @@ fn outlines(points: &PointSet, facets: &mut [Facet]) -> Result<EdgeTable, Boolea
 fn meet_all(
     points: &mut PointSet,
     edges: &mut EdgeTable,
-    facets: &mut [Facet],
+    facets: &[Facet<'_>],
     tree: &BoundsTree,
     budget: &mut Budget,
 ) -> Result<Vec<[u32; 2]>, BooleanError> {
@@ -336,17 +338,17 @@ fn meet_all(
 }
 
 /// Returns true if all facets lie in one plane.
-fn is_flat(points: &PointSet, facets: &[Facet]) -> bool {
+fn is_flat(points: &PointSet, facets: &[Facet<'_>]) -> bool {
     let Some(first) = facets.first() else { return true };
     let is_on_plane = |point: &u32| first.height(points.at[*point as usize]).abs() <= 2.0 * points.epsilon;
-    facets.iter().all(|facet| facet.corners.iter().all(is_on_plane))
+    facets.iter().all(|facet| facet.rings.corners.iter().all(is_on_plane))
 }
 
 /// The facets of closed shells that look inwards and are not cavities in another shell of their mesh.
 #[expect(clippy::too_many_arguments, reason = "the parts of an arrangement")]
 fn inverted_shells(
     points: &PointSet,
-    facets: &[Facet],
+    facets: &[Facet<'_>],
     tree: &BoundsTree,
     kinds: &[ShellKind],
     sheets: &Sheets,
@@ -360,7 +362,7 @@ fn inverted_shells(
     }
     // A sheet of each facet. Facets of several shells may have it.
     let mut sheet_of = vec![None; facets.len()];
-    for sheet in &sheets.list {
+    for sheet in sheets.iter() {
         sheet.sources.iter().for_each(|source| sheet_of[source.facet as usize] = Some(sheet));
     }
     let mut shell_of = vec![0; facets.len()];

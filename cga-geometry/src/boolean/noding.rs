@@ -32,7 +32,7 @@ type Cuts = Vec<[u32; 2]>;
 pub(super) fn divide_edges(
     points: &mut PointSet,
     edges: &mut EdgeTable,
-    facets: &mut [Facet],
+    facets: &[Facet<'_>],
     groups: &PlaneGroups,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
@@ -43,9 +43,9 @@ pub(super) fn divide_edges(
         let mut cuts = Cuts::new();
         open.iter().for_each(|facet| is_open[*facet as usize] = true);
         for &facet in &open {
-            let number = facet;
-            let facet = &facets[facet as usize];
-            compare_edges(points, edges, facet, |pair| is_first(edges, &is_open, number, pair), &mut cuts, budget)?;
+            let counts = |pair| is_first(edges, &is_open, facet, pair);
+            let lines = edges.lines(facet);
+            compare_edges(points, edges, (&facets[facet as usize], lines), counts, &mut cuts, budget)?;
         }
         open.iter().for_each(|facet| is_open[*facet as usize] = false);
         if cuts.is_empty() {
@@ -58,15 +58,15 @@ pub(super) fn divide_edges(
         for group in cuts.chunk_by(|a, b| a[0] == b[0]) {
             here.clear();
             here.extend(group.iter().map(|[_, point]| *point));
-            goes_on(2 * here.len() * edges.list[group[0][0] as usize].owners.len())?;
-            edges.divide(facets, points, group[0][0], &mut here, &mut open);
+            goes_on(2 * here.len() * edges.owners(group[0][0]).len())?;
+            edges.divide(points, group[0][0], &mut here, &mut open);
             budget.check(edges, points)?;
         }
         sort(&mut open)?;
         open.dedup();
         for &facet in &open {
-            goes_on(facets[facet as usize].lines.len())?;
-            facets[facet as usize].lines.retain(|line| !edges.list[*line as usize].owners.is_empty());
+            goes_on(edges.lines(facet).len())?;
+            edges.drop_foreign(facet);
         }
         open.retain(|facet| !groups.is_member(*facet));
     }
@@ -74,16 +74,15 @@ pub(super) fn divide_edges(
 }
 
 /// Returns true if the edges of a facet may meet elsewhere than at corners.
-fn has_company(edges: &EdgeTable, facets: &[Facet], number: u32) -> bool {
-    let facet = &facets[number as usize];
+fn has_company(edges: &EdgeTable, facets: &[Facet<'_>], number: u32) -> bool {
     let is_foreign = |line: &u32| edges.owner(*line, number).is_none_or(|owner| owner.count == 0);
-    !facet.is_convex || facet.lines.iter().any(is_foreign)
+    !facets[number as usize].is_convex || edges.lines(number).iter().any(is_foreign)
 }
 
 /// Returns true if a facet is the first one, of those that are compared, that has both edges. Facets in one plane share edges,
 /// which meet at the same points in all of them.
 fn is_first(edges: &EdgeTable, is_open: &[bool], facet: u32, pair: [u32; 2]) -> bool {
-    let [mut a, mut b] = pair.each(|edge| edges.list[edge as usize].owners.iter().map(|owner| owner.facet).peekable());
+    let [mut a, mut b] = pair.each(|edge| edges.owners(edge).iter().map(|owner| owner.facet).peekable());
     while let (Some(&first), Some(&second)) = (a.peek(), b.peek()) {
         if facet <= first.max(second) {
             return true;
@@ -105,18 +104,18 @@ fn is_first(edges: &EdgeTable, is_open: &[bool], facet: u32, pair: [u32; 2]) -> 
 fn compare_edges(
     points: &mut PointSet,
     edges: &EdgeTable,
-    facet: &Facet,
+    (facet, lines): (&Facet<'_>, &[u32]),
     counts: impl Fn([u32; 2]) -> bool,
     cuts: &mut Cuts,
     budget: &mut Budget,
 ) -> Result<(), BooleanError> {
-    goes_on(facet.lines.len())?;
+    goes_on(lines.len())?;
     let reach = points.epsilon;
     let extent = |line: u32| {
         let [a, b] = edges.list[line as usize].ends.each(|end| facet.flat(points.at[end as usize]));
         (Bounds { low: (a.min(b) - reach).extend(0.0), high: (a.max(b) + reach).extend(0.0) }, line)
     };
-    let mut boxes: Vec<(Bounds, u32)> = facet.lines.iter().map(|line| extent(*line)).collect();
+    let mut boxes: Vec<(Bounds, u32)> = lines.iter().map(|line| extent(*line)).collect();
     boxes.sort_unstable_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
     let lines: Vec<u32> = boxes.iter().map(|entry| entry.1).collect();
     let boxes: Vec<Bounds> = boxes.into_iter().map(|entry| entry.0).collect();
@@ -154,7 +153,7 @@ fn compare_edges(
 }
 
 /// Finds where two edges divide each other.
-fn compare_pair(points: &mut PointSet, edges: &EdgeTable, facet: &Facet, pair: [u32; 2], cuts: &mut Cuts) {
+fn compare_pair(points: &mut PointSet, edges: &EdgeTable, facet: &Facet<'_>, pair: [u32; 2], cuts: &mut Cuts) {
     let ends = pair.each(|edge| edges.list[edge as usize].ends);
     let mut touches = false;
     for (own, other) in [(0, 1), (1, 0)] {

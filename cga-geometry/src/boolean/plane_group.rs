@@ -4,13 +4,13 @@
 //! work for `n` facets over each other would grow with the third power of `n`.
 
 use super::budget::Budget;
-use super::cell::{self, Cell, GraphLine, double_area};
-use super::edge_table::{EdgeOwner, EdgeTable, NO_CORNER};
+use super::cell::{Cells, FacetWinding, GraphLines};
+use super::edge_table::{ArrangedEdge, EdgeOwner, EdgeTable, NO_CORNER};
 use super::facet::Facet;
+use super::lists::Rings;
 use super::meeting::dividing_edges;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
-use super::sheet::SheetSource;
 use crate::disjoint::DisjointSets;
 use crate::small_sort::SmallSort;
 
@@ -29,7 +29,7 @@ impl PlaneGroups {
     pub(super) fn of(
         points: &PointSet,
         edges: &mut EdgeTable,
-        facets: &mut Vec<Facet>,
+        facets: &mut Vec<Facet<'_>>,
         overlapping: &[[u32; 2]],
         budget: &mut Budget,
     ) -> Result<Self, BooleanError> {
@@ -41,7 +41,7 @@ impl PlaneGroups {
             groups.divide(points, facets, &set, budget)?;
         }
         for number in 0..groups.members.len() {
-            groups.take_lines(points, edges, facets, number, budget)?;
+            groups.take_lines(points, edges, number, budget)?;
         }
         // Facets in nearly one plane are not always in one group.
         for &pair in overlapping.iter().filter(|pair| groups.group(pair[0]) != groups.group(pair[1])) {
@@ -49,7 +49,7 @@ impl PlaneGroups {
                 for ends in dividing_edges(points, edges, facets, [giver, taker], budget)? {
                     let direction = points.at[ends[1] as usize] - points.at[ends[0] as usize];
                     let facet = groups.group(taker);
-                    edges.add(facets, ends, direction, EdgeOwner { facet, count: 0, corner: NO_CORNER });
+                    edges.add(ends, direction, EdgeOwner { facet, count: 0, corner: NO_CORNER });
                 }
                 budget.check(edges, points)?;
             }
@@ -71,20 +71,21 @@ impl PlaneGroups {
     fn divide(
         &mut self,
         points: &PointSet,
-        facets: &mut Vec<Facet>,
+        facets: &mut Vec<Facet<'_>>,
         set: &[u32],
         budget: &mut Budget,
     ) -> Result<(), BooleanError> {
-        let area = |number: u32| (facets[number as usize].double_area(points).abs(), number);
+        let area =
+            |number: u32| (facets[number as usize].double_area(points, facets[number as usize].rings).abs(), number);
         let mut by_area: Vec<(f64, u32)> = set.iter().copied().map(area).collect();
         by_area.small_sort_by(|a, b| b.0.total_cmp(&a.0));
         let mut set: Vec<u32> = by_area.into_iter().map(|(_, facet)| facet).collect();
         while 1 < set.len() {
-            budget.spend(set.iter().map(|facet| facets[*facet as usize].corners.len()).sum())?;
+            budget.spend(set.iter().map(|facet| facets[*facet as usize].rings.corners.len()).sum())?;
             let plane = &facets[set[0] as usize];
             let is_on = |point: &u32| plane.height(points.at[*point as usize]).abs() <= 2.0 * points.epsilon;
             let (mut members, others): (Vec<u32>, Vec<u32>) =
-                set.iter().partition(|facet| facets[**facet as usize].corners.iter().all(is_on));
+                set.iter().partition(|facet| facets[**facet as usize].rings.corners.iter().all(is_on));
             if 1 < members.len() {
                 members.small_sort();
                 let number = facets.len() as u32;
@@ -102,22 +103,19 @@ impl PlaneGroups {
         &self,
         points: &PointSet,
         edges: &mut EdgeTable,
-        facets: &mut [Facet],
         number: usize,
         budget: &Budget,
     ) -> Result<(), BooleanError> {
         let group = (self.first + number) as u32;
         for &member in &self.members[number] {
-            for line in std::mem::take(&mut facets[member as usize].lines) {
-                let edge = &edges.list[line as usize];
-                let (ends, direction) = (edge.ends, edge.direction);
-                if edges.owner(line, member).is_some_and(|owner| owner.count != 0) {
-                    facets[member as usize].lines.push(line);
-                } else {
+            for line in edges.lines(member).to_vec() {
+                let ArrangedEdge { ends, direction, .. } = edges.list[line as usize];
+                if edges.owner(line, member).is_none_or(|owner| owner.count == 0) {
                     edges.disown(line, member);
                 }
-                edges.add(facets, ends, direction, EdgeOwner { facet: group, count: 0, corner: NO_CORNER });
+                edges.add(ends, direction, EdgeOwner { facet: group, count: 0, corner: NO_CORNER });
             }
+            edges.drop_foreign(member);
             budget.check(edges, points)?;
         }
         Ok(())
@@ -128,53 +126,47 @@ impl PlaneGroups {
         &self,
         points: &PointSet,
         edges: &EdgeTable,
-        facets: &[Facet],
+        facets: &[Facet<'_>],
         budget: &mut Budget,
-    ) -> Result<Vec<Cell<Vec<SheetSource>>>, BooleanError> {
-        let mut all = Vec::new();
+    ) -> Result<Cells, BooleanError> {
+        let mut cells = Cells::default();
         let (mut areas, mut lengths) = (vec![0.0; self.first], vec![0.0; self.first]);
-        for (plane, members) in facets[self.first..].iter().zip(&self.members) {
-            let line = |line: &u32| {
-                let edge = &edges.list[*line as usize];
-                let own = edge.owners.iter().filter(|owner| owner.count != 0);
+        for (number, (plane, members)) in (self.first as u32..).zip(facets[self.first..].iter().zip(&self.members)) {
+            let mut lines = GraphLines::default();
+            for &line in edges.lines(number) {
+                let own = edges.owners(line).iter().filter(|owner| owner.count != 0);
                 let inside = own.filter(|owner| members.binary_search(&owner.facet).is_ok());
-                let count = inside.map(|owner| SheetSource { facet: owner.facet, winding: owner.count }).collect();
-                GraphLine { ends: edge.ends, count }
-            };
-            let lines: Vec<GraphLine<Vec<SheetSource>>> = plane.lines.iter().map(line).collect();
-            let mut cells = cell::cells(&lines, &|point| plane.flat(points.at[point as usize]), budget)?;
-            for cell in &mut cells {
-                cell.inner.iter_mut().for_each(|line| *line = plane.lines[*line as usize]);
-                let area = double_area(points, plane, &cell.rings);
-                let length = rim_length(points, &cell.rings);
-                for source in &cell.winding {
-                    areas[source.facet as usize] += f64::from(source.winding) * area;
-                    lengths[source.facet as usize] += length;
+                let count = inside.map(|owner| FacetWinding { facet: owner.facet, winding: owner.count });
+                lines.push(line, edges.list[line as usize].ends, count);
+            }
+            let first = cells.len();
+            cells.add(&lines, &|point| plane.flat(points.at[point as usize]), budget)?;
+            for cell in first..cells.len() {
+                let rings = cells.rings.of(cell);
+                let (area, length) = (plane.double_area(points, rings), rim_length(points, rings));
+                let windings = cells.windings.of_mut(cell);
+                for FacetWinding { facet, winding } in &*windings {
+                    areas[*facet as usize] += f64::from(*winding) * area;
+                    lengths[*facet as usize] += length;
                 }
-                let front = facets[cell.winding[0].facet as usize].normal;
-                if front.dot(plane.normal) < 0.0 {
-                    cell.rings.iter_mut().for_each(|ring| ring.reverse());
-                    cell.winding.iter_mut().for_each(|source| source.winding = -source.winding);
+                if facets[windings[0].facet as usize].normal.dot(plane.normal) < 0.0 {
+                    windings.iter_mut().for_each(|source| source.winding = -source.winding);
+                    cells.rings.reverse(cell);
                 }
             }
             for &member in members {
-                let facet = &facets[member as usize];
-                let rings: Vec<Vec<u32>> = facet.loops().map(|ring| facet.corners[ring].to_vec()).collect();
+                let rings = facets[member as usize].rings;
                 // Lines that were led through points move by up to epsilon. A lost cell is much larger.
-                let most = 8.0 * points.epsilon * (lengths[member as usize] + rim_length(points, &rings));
-                if most < (areas[member as usize] - double_area(points, plane, &rings)).abs() {
+                let most = 8.0 * points.epsilon * (lengths[member as usize] + rim_length(points, rings));
+                if most < (areas[member as usize] - plane.double_area(points, rings)).abs() {
                     return Err(BooleanError::Tangled);
                 }
             }
-            all.append(&mut cells);
         }
-        Ok(all)
+        Ok(cells)
     }
 }
 
-fn rim_length(points: &PointSet, rings: &[Vec<u32>]) -> f64 {
-    let length = |ring: &Vec<u32>| -> f64 {
-        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| points.length([*a, *b])).sum()
-    };
-    rings.iter().map(length).sum()
+fn rim_length(points: &PointSet, rings: Rings<'_, u32>) -> f64 {
+    rings.edges().map(|ends| points.length(ends)).sum()
 }

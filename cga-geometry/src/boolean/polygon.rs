@@ -1,19 +1,22 @@
 //! The polygons of a result: connected sheets of one face, without the edges between them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::budget::Budget;
-use super::cell::{self, GraphLine};
+use super::cell::{Cells, FacetWinding, GraphLines};
 use super::component_tags::EdgeTags;
 use super::edge_table::{EdgeTable, NO_CORNER};
 use super::facet::Facet;
+use super::lists::{Lists, Polygons, Rings};
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::progress::goes_on;
-use super::selection::ChosenSheet;
-use super::sheet::Sheets;
+use super::selection::ChosenSheets;
+use super::sheet::{Sheet, Sheets};
+use crate::buckets::Buckets;
 use crate::disjoint::DisjointSets;
-use crate::each::Each;
+use crate::long_sort::long_sort_by;
+use crate::mesh::in_order;
 
 /// A corner of a polygon, and the edge that starts there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,162 +30,223 @@ pub(super) struct PolygonCorner {
 }
 
 /// A face of the result, in the direction of its first facet.
-pub(super) struct ResultPolygon {
+#[derive(Clone, Copy)]
+pub(super) struct ResultPolygon<'a> {
     /// The facets of which it is a part.
-    pub(super) sources: Vec<u32>,
+    pub(super) sources: &'a [u32],
     /// True if the face of the result faces the other way.
     pub(super) is_turned: bool,
     /// The outline and the holes.
-    pub(super) rings: Vec<Vec<PolygonCorner>>,
+    pub(super) rings: Rings<'a, PolygonCorner>,
+}
+
+/// The faces of a result, in their order.
+#[derive(Default)]
+pub(super) struct ResultPolygons<'a> {
+    faces: Vec<ResultFace<'a>>,
+    rings: Polygons<PolygonCorner>,
+}
+
+struct ResultFace<'a> {
+    /// The face of the mesh, the place in it, and the number of the polygon.
+    order: [u32; 3],
+    sources: &'a [u32],
+    is_turned: bool,
+}
+
+impl ResultPolygons<'_> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = ResultPolygon<'_>> {
+        self.faces.iter().map(|&ResultFace { order, sources, is_turned }| ResultPolygon {
+            sources,
+            is_turned,
+            rings: self.rings.of(order[2]),
+        })
+    }
+
+    /// Keeps the corners that `stays` accepts, rings with three corners, and polygons with an outline.
+    pub(super) fn retain(&mut self, stays: impl Fn(&PolygonCorner) -> bool) -> Result<(), BooleanError> {
+        let (old, mut ring) = (std::mem::take(&mut self.rings), Vec::new());
+        for face in &mut self.faces {
+            let rings = old.of(face.order[2]);
+            goes_on(rings.corners.len())?;
+            for corners in rings.iter() {
+                ring.clear();
+                ring.extend(corners.iter().copied().filter(&stays));
+                if 3 <= ring.len() {
+                    self.rings.add_ring(ring.iter().copied());
+                } else if self.rings.open_rings() == 0 {
+                    break;
+                }
+            }
+            face.order[2] = if self.rings.open_rings() == 0 { NO_CORNER } else { self.rings.len() };
+            if face.order[2] != NO_CORNER {
+                self.rings.end();
+            }
+        }
+        self.faces.retain(|face| face.order[2] != NO_CORNER);
+        Ok(())
+    }
 }
 
 /// Makes polygons of chosen sheets.
-pub(super) struct PolygonMaker<'a> {
+pub(super) struct PolygonMaker<'a, 'c> {
     pub(super) points: &'a PointSet,
     pub(super) edges: &'a EdgeTable,
-    pub(super) facets: &'a [Facet],
+    pub(super) facets: &'a [Facet<'a>],
     pub(super) sheets: &'a Sheets,
     pub(super) tags: &'a EdgeTags,
+    pub(super) chosen: &'c ChosenSheets,
 }
 
-impl PolygonMaker<'_> {
+/// An edge of the outline of united sheets.
+#[derive(Clone, Copy)]
+struct NetEdge {
+    ends: [u32; 2],
+    /// The place among the edges of all sheets.
+    place: u32,
+    /// The first facet of the first sheet with the edge.
+    source: u32,
+    /// The number of times that sheets follow it from the first point to the second, less the number of times backwards.
+    count: i32,
+}
+
+impl<'a, 'c> PolygonMaker<'a, 'c> {
     /// The polygons, in the order of their faces.
-    pub(super) fn polygons(
-        &self,
-        chosen: &[ChosenSheet],
-        budget: &mut Budget,
-    ) -> Result<Vec<ResultPolygon>, BooleanError> {
-        let mut sets = self.connected(chosen, |a, b| a.sources == b.sources).sets();
-        self.unite_bent_faces(chosen, &mut sets);
-        let mut made: Vec<(u32, ResultPolygon)> = Vec::new();
-        for set in sets {
-            let all: Vec<&ChosenSheet> = set.iter().map(|number| &chosen[*number as usize]).collect();
-            goes_on(all.iter().map(|one| self.sheets.list[one.sheet as usize].rim().count()).sum())?;
-            match self.rings(&all, budget) {
-                Some(rings) => made.push(self.polygon(all[0], rings)),
-                None => {
-                    let alone = all.iter().filter_map(|one| Some(self.polygon(one, self.rings(&[one], budget)?)));
-                    made.extend(alone);
-                }
+    pub(super) fn polygons(&self, budget: &mut Budget) -> Result<ResultPolygons<'c>, BooleanError> {
+        let (mut made, sets) = (ResultPolygons::default(), self.sets());
+        for set in sets.iter() {
+            goes_on(set.iter().map(|one| self.sheet(*one).rings.corners.len()).sum())?;
+            if self.add(set, &mut made, budget).is_none() {
+                goes_on(0)?;
+                set.iter().for_each(|one| _ = self.add(&[*one], &mut made, budget));
             }
         }
-        made.sort_by_key(|(rank, polygon)| (self.facets[polygon.sources[0] as usize].face, *rank));
-        Ok(made.into_iter().map(|(_, polygon)| polygon).collect())
+        made.faces.sort_by_key(|face| face.order);
+        Ok(made)
+    }
+
+    fn sheet(&self, chosen: u32) -> Sheet<'a> {
+        self.sheets.at(self.chosen.at(chosen).sheet)
+    }
+
+    /// The first facet of a chosen sheet.
+    fn facet(&self, chosen: u32) -> &'a Facet<'a> {
+        &self.facets[self.chosen.at(chosen).sources[0] as usize]
     }
 
     /// True if the front of a chosen sheet is the front of its first source.
-    fn is_as_source(&self, chosen: &ChosenSheet) -> bool {
-        let sheet = &self.sheets.list[chosen.sheet as usize];
-        let normal = |facet: u32| self.facets[facet as usize].normal;
-        0.0 < normal(sheet.facet()).dot(normal(chosen.sources[0]))
+    fn is_as_source(&self, chosen: u32) -> bool {
+        let front = self.facets[self.sheet(chosen).facet() as usize].normal;
+        0.0 < front.dot(self.facet(chosen).normal)
     }
 
-    fn is_turned(&self, chosen: &ChosenSheet) -> bool {
-        chosen.is_reversed == self.is_as_source(chosen)
+    fn is_turned(&self, chosen: u32) -> bool {
+        self.chosen.at(chosen).is_reversed == self.is_as_source(chosen)
+    }
+
+    /// The chosen sheets of each polygon, in order: connected sheets, then all triangles of each bent face that is whole.
+    fn sets(&self) -> Lists<u32> {
+        let mut connected = self.connected();
+        connected.flatten();
+        let connected = Buckets::by(self.chosen.len() as usize, (0..self.chosen.len()).map(|one| connected.find(one)));
+        let whole = self.whole_bent_faces();
+        let (mut sets, mut bent): (_, BTreeMap<u32, Vec<u32>>) = (Lists::default(), BTreeMap::new());
+        for set in (0..connected.len()).map(|first| connected.of(first)).filter(|set| !set.is_empty()) {
+            let face = self.facet(set[0]).face;
+            if whole.contains(&face) {
+                bent.entry(face).or_default().extend(set);
+            } else {
+                sets.add(set.iter().copied());
+            }
+        }
+        bent.into_values().for_each(|set| sets.add(set));
+        sets
     }
 
     /// Unites chosen sheets with a common edge that no other chosen sheet has.
-    fn connected(
-        &self,
-        chosen: &[ChosenSheet],
-        are_alike: impl Fn(&ChosenSheet, &ChosenSheet) -> bool,
-    ) -> DisjointSets {
-        let mut number_of = vec![NO_CORNER; self.sheets.list.len()];
-        (0..).zip(chosen).for_each(|(number, one)| number_of[one.sheet as usize] = number);
-        let mut sets = DisjointSets::new(chosen.len());
+    fn connected(&self) -> DisjointSets {
+        let mut number_of = vec![NO_CORNER; self.sheets.len() as usize];
+        (0..).zip(self.chosen.iter()).for_each(|(number, one)| number_of[one.sheet as usize] = number);
+        let mut sets = DisjointSets::new(self.chosen.len() as usize);
         for (_, uses) in self.sheets.fans() {
             let mut here = uses.iter().map(|used| number_of[used.sheet as usize]).filter(|number| *number != NO_CORNER);
             let (Some(a), Some(b), None) = (here.next(), here.next(), here.next()) else { continue };
-            let [first, second] = [a, b].each(|number| &chosen[number as usize]);
-            if a != b && are_alike(first, second) && self.is_turned(first) == self.is_turned(second) {
+            let have_equal_sources = self.chosen.at(a).sources == self.chosen.at(b).sources;
+            if a != b && have_equal_sources && self.is_turned(a) == self.is_turned(b) {
                 sets.unite(a, b);
             }
         }
         sets
     }
 
-    /// Unites the triangles of a bent face if all of it is in the result and nothing else is at the same place.
-    fn unite_bent_faces(&self, chosen: &[ChosenSheet], sets: &mut Vec<Vec<u32>>) {
-        let face_of = |one: &ChosenSheet| self.facets[one.sources[0] as usize].face;
-        let is_part = |one: &ChosenSheet| self.facets[one.sources[0] as usize].is_part;
-        if !chosen.iter().any(is_part) {
-            return;
+    /// The bent faces of which all triangles are in the result and nothing else is at the same place.
+    fn whole_bent_faces(&self) -> BTreeSet<u32> {
+        if !(0..self.chosen.len()).any(|one| self.facet(one).is_part) {
+            return BTreeSet::new();
         }
         // For each face the number of its sheets, and of its chosen ones by direction.
         let mut counts: BTreeMap<u32, [usize; 3]> = BTreeMap::new();
-        for sheet in &self.sheets.list {
+        for sheet in self.sheets.iter() {
             let is_shared = 1 < sheet.sources.len();
-            for source in &sheet.sources {
-                counts.entry(self.facets[source.facet as usize].face).or_default()[0] += 1 + usize::from(is_shared);
+            for source in sheet.sources {
+                let facet = &self.facets[source.facet as usize];
+                if facet.is_part {
+                    counts.entry(facet.face).or_default()[0] += 1 + usize::from(is_shared);
+                }
             }
         }
-        for one in chosen {
-            counts.entry(face_of(one)).or_default()[1 + usize::from(self.is_turned(one))] += 1;
+        for one in (0..self.chosen.len()).filter(|one| self.facet(*one).is_part) {
+            counts.entry(self.facet(one).face).or_default()[1 + usize::from(self.is_turned(one))] += 1;
         }
-        let is_whole = |one: &ChosenSheet| {
-            let [all, straight, turned] = counts[&face_of(one)];
-            is_part(one) && (straight == all || turned == all)
-        };
-        let mut bent: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-        sets.retain(|set| {
-            let one = &chosen[set[0] as usize];
-            if is_whole(one) {
-                bent.entry(face_of(one)).or_default().extend(set);
+        let is_whole = |[all, straight, turned]: &[usize; 3]| straight == all || turned == all;
+        counts.into_iter().filter(|(_, counts)| is_whole(counts)).map(|(face, _)| face).collect()
+    }
+
+    /// The edges of united sheets in the direction of their first sources, in the order of their points. Edges that cancel are left
+    /// out. `None` if the work is to end.
+    fn net(&self, set: &[u32]) -> Option<Vec<NetEdge>> {
+        let mut net: Vec<NetEdge> = Vec::new();
+        for &one in set {
+            let (source, is_as_source) = (self.chosen.at(one).sources[0], self.is_as_source(one));
+            for [a, b] in self.sheet(one).rings.edges() {
+                let count = if (a < b) == is_as_source { 1 } else { -1 };
+                net.push(NetEdge { ends: in_order([a, b]), place: net.len() as u32, source, count });
             }
-            !is_whole(one)
+        }
+        if !long_sort_by(&mut net, |a, b| a.ends.cmp(&b.ends).then(a.place.cmp(&b.place))) {
+            return None;
+        }
+        net.dedup_by(|next, kept| {
+            let is_same = next.ends == kept.ends;
+            kept.count += if is_same { next.count } else { 0 };
+            is_same
         });
-        sets.extend(bent.into_values());
+        net.retain(|edge| edge.count != 0);
+        Some(net)
     }
 
-    /// The outline of united sheets, in the direction of the first source. `None` if it is not a polygon with holes.
-    fn rings(&self, all: &[&ChosenSheet], budget: &mut Budget) -> Option<Vec<Vec<PolygonCorner>>> {
-        let mut net: BTreeMap<[u32; 2], (i32, u32)> = BTreeMap::new();
-        for one in all {
-            let is_as_source = self.is_as_source(one);
-            for [a, b] in self.sheets.list[one.sheet as usize].rim() {
-                let [a, b] = if is_as_source { [a, b] } else { [b, a] };
-                let entry = net.entry([a.min(b), a.max(b)]).or_insert((0, one.sources[0]));
-                entry.0 += if a < b { 1 } else { -1 };
-            }
-        }
-        net.retain(|_, (count, _)| *count != 0);
-        let facet = &self.facets[all[0].sources[0] as usize];
-        let rings = if all.len() == 1 {
-            let mut rings = self.sheets.list[all[0].sheet as usize].rings.clone();
-            if !self.is_as_source(all[0]) {
-                rings.iter_mut().for_each(|ring| ring.reverse());
-            }
-            rings
+    /// Adds the polygon of united sheets, in the direction of the first source. Its rings start and follow each other as in its face.
+    /// `None` if it is not a polygon with holes.
+    fn add(&self, set: &[u32], made: &mut ResultPolygons<'c>, budget: &mut Budget) -> Option<()> {
+        let (first, facet, net) = (set[0], self.facet(set[0]), self.net(set)?);
+        let (mut cells, mut followed) = (Cells::default(), Polygons::default());
+        let rings = if set.len() == 1 {
+            self.sheet(first).rings
         } else if facet.is_part {
-            follow(&net)?
+            follow(&net, &mut followed)?;
+            followed.of(0)
         } else {
-            let lines: Vec<GraphLine<i32>> =
-                net.iter().map(|(ends, (count, _))| GraphLine { ends: *ends, count: *count }).collect();
-            let flat = |point: u32| facet.flat(self.points.at[point as usize]);
-            let mut cells = cell::cells(&lines, &flat, budget).ok()?;
-            let cell = cells.pop().filter(|cell| cell.winding == 1 && cells.is_empty())?;
-            cell.rings
+            let mut lines = GraphLines::default();
+            for edge in &net {
+                lines.push(NO_CORNER, edge.ends, [FacetWinding { facet: 0, winding: edge.count }]);
+            }
+            cells.add(&lines, &|point| facet.flat(self.points.at[point as usize]), budget).ok()?;
+            if cells.len() != 1 || cells.windings.of(0)[0].winding != 1 {
+                return None;
+            }
+            cells.rings.of(0)
         };
-        let corner = |point: u32, next: u32| {
-            let ends = [point.min(next), point.max(next)];
-            let edge = self.edges.find(ends)?;
-            let owner = self.facets.get(net.get(&ends)?.1 as usize).zip(self.edges.owner(edge, net[&ends].1));
-            let along = owner
-                .filter(|(_, owner)| owner.corner != NO_CORNER)
-                .map(|(facet, owner)| facet.edge_sources(owner.corner));
-            Some(PolygonCorner { point, along: along.unwrap_or([NO_CORNER; 2]), tags: self.tags.of(edge) })
-        };
-        rings
-            .iter()
-            .map(|ring| {
-                ring.iter().zip(ring.iter().cycle().skip(1)).map(|(point, next)| corner(*point, *next)).collect()
-            })
-            .collect()
-    }
-
-    /// The polygon, whose loops start and follow each other as in its face, and a number for its place in the face.
-    fn polygon(&self, one: &ChosenSheet, mut rings: Vec<Vec<PolygonCorner>>) -> (u32, ResultPolygon) {
-        let facet = &self.facets[one.sources[0] as usize];
+        let is_reversed = set.len() == 1 && !self.is_as_source(first);
         let rank = |corner: &PolygonCorner| {
             let start = facet.point_at(corner.along[0]).unwrap_or(corner.point);
             (corner.along[0], self.points.length([start, corner.point]), corner.point)
@@ -191,26 +255,46 @@ impl PolygonMaker<'_> {
             let (a, b) = (rank(a), rank(b));
             a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2))
         };
-        for ring in &mut rings {
-            let first = (0..ring.len()).min_by(|&a, &b| earlier(&ring[a], &ring[b])).unwrap_or(0);
-            ring.rotate_left(first);
+        let mut turned = Lists::default();
+        for ring in rings.iter() {
+            let at = |place: usize| ring[if is_reversed { ring.len() - 1 - place } else { place }];
+            let corner = |place: usize| self.corner(&net, at(place), at((place + 1) % ring.len()));
+            let corners = (0..ring.len()).map(corner).collect::<Option<Vec<PolygonCorner>>>()?;
+            let start = (0..ring.len()).min_by(|&a, &b| earlier(&corners[a], &corners[b])).unwrap_or(0);
+            turned.add(corners[start..].iter().chain(&corners[..start]).copied());
         }
-        rings[1..].sort_by(|a, b| earlier(&a[0], &b[0]));
-        let rank = rings[0][0].along[0];
-        (rank, ResultPolygon { sources: one.sources.clone(), is_turned: self.is_turned(one), rings })
+        let mut holes: Vec<u32> = (1..turned.len()).collect();
+        holes.sort_by(|a, b| earlier(&turned.of(*a)[0], &turned.of(*b)[0]));
+        for ring in [0].into_iter().chain(holes) {
+            made.rings.add_ring(turned.of(ring).iter().copied());
+        }
+        let order = [facet.face, turned.of(0)[0].along[0], made.rings.len()];
+        let sources = self.chosen.at(first).sources;
+        made.faces.push(ResultFace { order, sources, is_turned: self.is_turned(first) });
+        made.rings.end();
+        Some(())
+    }
+
+    /// The corner at a point, before another one.
+    fn corner(&self, net: &[NetEdge], point: u32, next: u32) -> Option<PolygonCorner> {
+        let ends = in_order([point, next]);
+        let source = net[net.binary_search_by_key(&ends, |edge| edge.ends).ok()?].source;
+        let edge = self.edges.find(ends)?;
+        let owner = self.edges.owner(edge, source).filter(|owner| owner.corner != NO_CORNER);
+        let along = owner.map_or([NO_CORNER; 2], |owner| self.facets[source as usize].edge_sources(owner.corner));
+        Some(PolygonCorner { point, along, tags: self.tags.of(edge) })
     }
 }
 
-/// Loops of directed edges, if each point starts at most one edge. The loop with the lowest point comes first.
-fn follow(net: &BTreeMap<[u32; 2], (i32, u32)>) -> Option<Vec<Vec<u32>>> {
+/// Adds the polygon of directed edges, if each point starts at most one edge. The loop with the lowest point comes first.
+fn follow(net: &[NetEdge], made: &mut Polygons<u32>) -> Option<()> {
     let mut next: BTreeMap<u32, u32> = BTreeMap::new();
-    for (&[a, b], (count, _)) in net {
-        let [from, to] = if 0 < *count { [a, b] } else { [b, a] };
+    for &NetEdge { ends: [a, b], count, .. } in net {
+        let [from, to] = if 0 < count { [a, b] } else { [b, a] };
         if count.abs() != 1 || next.insert(from, to).is_some() {
             return None;
         }
     }
-    let mut rings = Vec::new();
     while let Some((&first, _)) = next.first_key_value() {
         let (mut ring, mut at) = (Vec::new(), first);
         while let Some(to) = next.remove(&at) {
@@ -220,7 +304,9 @@ fn follow(net: &BTreeMap<[u32; 2], (i32, u32)>) -> Option<Vec<Vec<u32>>> {
         if at != first || ring.len() < 3 {
             return None;
         }
-        rings.push(ring);
+        made.add_ring(ring);
     }
-    (!rings.is_empty()).then_some(rings)
+    let has_rings = made.open_rings() != 0;
+    made.end();
+    has_rings.then_some(())
 }

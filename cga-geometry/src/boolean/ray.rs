@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::budget::Budget;
 use super::facet::Facet;
+use super::lists::Rings;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::sheet::Sheet;
@@ -27,7 +28,7 @@ pub(super) type Around = [i32; 2];
 /// Casts rays against closed shells.
 pub(super) struct RayCaster<'a> {
     pub(super) points: &'a PointSet,
-    pub(super) facets: &'a [Facet],
+    pub(super) facets: &'a [Facet<'a>],
     pub(super) tree: &'a BoundsTree,
     pub(super) kinds: &'a [ShellKind],
     /// The operand of each facet.
@@ -38,7 +39,7 @@ impl RayCaster<'_> {
     /// The shells around the front of a sheet. Facets that `counts` refuses are not there.
     pub(super) fn around_front(
         &self,
-        sheet: &Sheet,
+        sheet: Sheet<'_>,
         counts: impl Fn(u32) -> bool + Copy,
         budget: &mut Budget,
     ) -> Result<Around, BooleanError> {
@@ -80,7 +81,7 @@ impl RayCaster<'_> {
                 if self.kinds[number as usize] == ShellKind::Open || !counts(number) {
                     return true;
                 }
-                work = budget.spend(1 + facet.corners.len());
+                work = budget.spend(1 + facet.rings.corners.len());
                 if work.is_err() {
                     return false;
                 }
@@ -98,7 +99,7 @@ impl RayCaster<'_> {
         Ok(is_clear.then_some(around))
     }
 
-    fn cross(&self, facet: &Facet, from: DVec3, direction: DVec3) -> Crossing {
+    fn cross(&self, facet: &Facet<'_>, from: DVec3, direction: DVec3) -> Crossing {
         let height = facet.height(from);
         let fall = direction.dot(facet.normal);
         let near = CLEARANCE * self.points.epsilon;
@@ -123,17 +124,12 @@ impl RayCaster<'_> {
     }
 
     /// The corners of a sheet's largest triangle.
-    pub(super) fn largest_triangle(&self, sheet: &Sheet, facet: &Facet) -> Option<[DVec3; 3]> {
-        let corners: Vec<u32> = sheet.rings.iter().flatten().copied().collect();
+    pub(super) fn largest_triangle(&self, sheet: Sheet<'_>, facet: &Facet<'_>) -> Option<[DVec3; 3]> {
+        let Rings { corners, ends } = sheet.rings;
         let at = |corner: u32| self.points.at[corners[corner as usize] as usize];
         let flat: Vec<DVec2> = (0..corners.len() as u32).map(|corner| facet.flat(at(corner))).collect();
-        let count = |end: &mut u32, ring: &Vec<u32>| {
-            *end += ring.len() as u32;
-            Some(*end)
-        };
-        let ends: Vec<u32> = sheet.rings.iter().scan(0, count).collect();
         let mut triangles = Vec::new();
-        Triangulator::new().polygon(&flat, &ends, &mut triangles);
+        Triangulator::new().polygon(&flat, ends, &mut triangles);
         let area = |triangle: &[u32; 3]| {
             let [a, b, c] = triangle.each(|corner| flat[corner as usize]);
             (b - a).perp_dot(c - a)

@@ -9,70 +9,30 @@ use std::collections::HashMap;
 
 use glam::DVec2;
 
-use super::cell::{Cell, Winding};
+use super::cell::{Cells, FacetWinding};
 use super::edge_table::EdgeTable;
 use super::facet::Facet;
+use super::lists::{Lists, Polygons, Rings};
 use super::operation::BooleanError;
-use super::progress::{ask, goes_on};
+use super::progress::{ask, goes_on, sort};
+use crate::buckets::Buckets;
+use crate::mesh::in_order;
 
 /// The sine of the smallest angle between sheets at an edge that can be told from none.
 const LEAST_ANGLE: f64 = 1e-13;
 
-/// A facet that has a cell at the place of a sheet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct SheetSource {
-    pub(super) facet: u32,
-    /// The number of times that the facet's outline winds around the sheet, seen from the sheet's front.
-    pub(super) winding: i32,
-}
-
-/// The windings of several facets, in the order of the facets.
-impl Winding for Vec<SheetSource> {
-    fn across(&self, count: &Self, to_right: bool) -> Self {
-        let mut sum = self.clone();
-        for step in count {
-            let change = if to_right { -step.winding } else { step.winding };
-            match sum.binary_search_by_key(&step.facet, |known| known.facet) {
-                Ok(at) => {
-                    sum[at].winding += change;
-                    if sum[at].winding == 0 {
-                        sum.remove(at);
-                    }
-                }
-                Err(at) => sum.insert(at, SheetSource { facet: step.facet, winding: change }),
-            }
-        }
-        sum
-    }
-
-    fn is_outside(&self) -> bool {
-        self.is_empty()
-    }
-
-    fn len(&self) -> usize {
-        1 + self.as_slice().len()
-    }
-}
-
 /// A polygon with holes that no edge divides, with its front where the normal of its first facet points.
-#[derive(Debug)]
-pub(super) struct Sheet {
-    /// The facets, in order. The first one has its normal.
-    pub(super) sources: Vec<SheetSource>,
-    pub(super) rings: Vec<Vec<u32>>,
-    /// Edges inside of it.
-    inner: Vec<u32>,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sheet<'a> {
+    /// The facets that have a cell there, in order. The first one has its normal.
+    pub(super) sources: &'a [FacetWinding],
+    pub(super) rings: Rings<'a, u32>,
 }
 
-impl Sheet {
+impl Sheet<'_> {
     /// The facet whose plane the sheet has.
     pub(super) fn facet(&self) -> u32 {
         self.sources[0].facet
-    }
-
-    /// The edges of all rings, as pairs of points.
-    pub(super) fn rim(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]))
     }
 }
 
@@ -116,7 +76,10 @@ impl EdgeUse {
 
 /// The sheets of an arrangement.
 pub(super) struct Sheets {
-    pub(super) list: Vec<Sheet>,
+    /// The polygons of all cells, and the cell of each sheet.
+    rings: Polygons<u32>,
+    cells: Vec<u32>,
+    sources: Lists<FacetWinding>,
     /// The edges that sheets have, in increasing order, each with the end of its uses.
     fans: Vec<(u32, u32)>,
     /// The uses of edges, counter-clockwise around each edge.
@@ -124,49 +87,75 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
+    pub(super) fn len(&self) -> u32 {
+        self.sources.len()
+    }
+
+    pub(super) fn at(&self, number: u32) -> Sheet<'_> {
+        Sheet { sources: self.sources.of(number), rings: self.rings.of(self.cells[number as usize]) }
+    }
+
+    pub(super) fn iter(&self) -> impl Iterator<Item = Sheet<'_>> {
+        (0..self.len()).map(|number| self.at(number))
+    }
+
     /// Unites the cells that coincide. The first facet of each gives its front.
-    pub(super) fn of(
-        edges: &EdgeTable,
-        facets: &[Facet],
-        cells: Vec<Cell<Vec<SheetSource>>>,
-    ) -> Result<Self, BooleanError> {
-        let mut list: Vec<Sheet> = Vec::new();
-        let mut known: HashMap<Vec<[u32; 2]>, u32> = HashMap::new();
-        for Cell { winding, rings, inner } in cells {
-            let new = Sheet { sources: winding, rings, inner };
-            goes_on(new.rim().count())?;
-            let mut outline: Vec<[u32; 2]> = new.rim().map(|[a, b]| [a.min(b), a.max(b)]).collect();
+    pub(super) fn of(edges: &EdgeTable, facets: &[Facet<'_>], cells: Cells) -> Result<Self, BooleanError> {
+        let mut order: Vec<[u32; 2]> = (0..cells.len()).map(|cell| [cells.windings.of(cell)[0].facet, cell]).collect();
+        sort(&mut order)?;
+        let mut outlines = Lists::default();
+        let mut outline: Vec<[u32; 2]> = Vec::new();
+        for &[_, cell] in &order {
+            outline.clear();
+            outline.extend(cells.rings.of(cell).edges().map(in_order));
+            goes_on(outline.len())?;
             outline.small_sort();
-            let number = *known.entry(outline).or_insert(list.len() as u32);
-            match list.get_mut(number as usize) {
-                None => list.push(new),
-                Some(sheet) => {
-                    let [own, front] = [new.facet(), sheet.facet()].each(|facet| facets[facet as usize].normal);
-                    let sign = if 0.0 < own.dot(front) { 1 } else { -1 };
-                    let turned = |one: SheetSource| SheetSource { winding: sign * one.winding, ..one };
-                    sheet.sources.extend(new.sources.into_iter().map(turned));
-                    sheet.sources.small_sort();
-                    sheet.inner.extend(new.inner);
-                }
-            }
+            outlines.add(outline.iter().copied());
         }
-        let mut all: Vec<(u32, EdgeUse)> = Vec::new();
-        for (number, sheet) in (0..).zip(&list) {
-            goes_on(sheet.rim().count())?;
-            for ends in sheet.rim() {
-                let edge = edges.find(ends).ok_or(BooleanError::Tangled)?;
-                all.push((edge, EdgeUse { sheet: number, is_left: ends[0] < ends[1] }));
+        let mut known: HashMap<&[[u32; 2]], u32> = HashMap::with_capacity(order.len());
+        let mut sheet_of = Vec::with_capacity(order.len());
+        let mut firsts: Vec<u32> = Vec::new();
+        for (&[_, cell], outline) in order.iter().zip(outlines.iter()) {
+            goes_on(outline.len())?;
+            let number = *known.entry(outline).or_insert(firsts.len() as u32);
+            if number as usize == firsts.len() {
+                firsts.push(cell);
             }
-            let both = |edge: u32| [true, false].each(|is_left| (edge, EdgeUse { sheet: number, is_left }));
-            let mut inner = sheet.inner.clone();
+            sheet_of.push(number);
+        }
+        drop(known);
+        let cells_of = Buckets::by(firsts.len(), sheet_of.iter().copied());
+        let mut sources = Lists::default();
+        let mut all: Vec<(u32, EdgeUse)> = Vec::new();
+        let (mut here, mut inner): (Vec<FacetWinding>, Vec<u32>) = (Vec::new(), Vec::new());
+        for (sheet, first) in (0..).zip(&firsts) {
+            here.clear();
+            inner.clear();
+            let normal = |cell: u32| facets[cells.windings.of(cell)[0].facet as usize].normal;
+            for cell in cells_of.of(sheet as usize).iter().map(|place| order[*place as usize][1]) {
+                let sign = if cell == *first || 0.0 < normal(cell).dot(normal(*first)) { 1 } else { -1 };
+                let turned = |one: &FacetWinding| FacetWinding { winding: sign * one.winding, ..*one };
+                here.extend(cells.windings.of(cell).iter().map(turned));
+                inner.extend(cells.inner.of(cell));
+            }
+            here.small_sort();
+            sources.add(here.iter().copied());
             inner.small_sort();
             inner.dedup();
-            all.extend(inner.into_iter().flat_map(both));
+            let rim = cells.rings.of(*first);
+            goes_on(rim.corners.len() + inner.len())?;
+            for ends in rim.edges() {
+                let edge = edges.find(ends).ok_or(BooleanError::Tangled)?;
+                all.push((edge, EdgeUse { sheet, is_left: ends[0] < ends[1] }));
+            }
+            let both = |edge: &u32| [true, false].each(|is_left| (*edge, EdgeUse { sheet, is_left }));
+            all.extend(inner.iter().flat_map(both));
         }
         ask()?;
         all.sort_by_key(|(edge, _)| *edge);
         ask()?;
-        let mut sheets = Sheets { list, fans: Vec::new(), uses: Vec::with_capacity(all.len()) };
+        let (fans, uses) = (Vec::new(), Vec::with_capacity(all.len()));
+        let mut sheets = Sheets { rings: cells.rings, cells: firsts, sources, fans, uses };
         for group in all.chunk_by(|a, b| a.0 == b.0) {
             goes_on(group.len())?;
             sheets.add_fan(edges, facets, group)?;
@@ -175,12 +164,17 @@ impl Sheets {
     }
 
     /// Sorts the uses of an edge by angle.
-    fn add_fan(&mut self, edges: &EdgeTable, facets: &[Facet], group: &[(u32, EdgeUse)]) -> Result<(), BooleanError> {
+    fn add_fan(
+        &mut self,
+        edges: &EdgeTable,
+        facets: &[Facet<'_>],
+        group: &[(u32, EdgeUse)],
+    ) -> Result<(), BooleanError> {
         let along = edges.list[group[0].0 as usize].direction;
         let across = along.any_orthonormal_vector();
         let up = along.cross(across);
         let direction = |entry: &(u32, EdgeUse)| {
-            let normal = facets[self.list[entry.1.sheet as usize].facet() as usize].normal;
+            let normal = facets[self.at(entry.1.sheet).facet() as usize].normal;
             let into = normal.cross(along) * if entry.1.is_left { 1.0 } else { -1.0 };
             (DVec2::new(into.dot(across), into.dot(up)), entry.1)
         };

@@ -30,13 +30,13 @@ pub(super) struct Shell {
 pub(super) fn shells(
     points: &PointSet,
     edges: &EdgeTable,
-    facets: &[Facet],
+    facets: &[Facet<'_>],
     mesh_of: &[u32],
 ) -> Result<Vec<Shell>, BooleanError> {
     let mut sets = DisjointSets::new(facets.len());
     unite_at_edges(edges, mesh_of, &mut sets, |_| true)?;
     let shell = |facets_here: Vec<u32>| {
-        let is_closed = is_closed(edges, facets, &facets_here)?;
+        let is_closed = is_closed(edges, &facets_here)?;
         let volume = facets_here.iter().map(|facet| volume(points, &facets[*facet as usize])).sum();
         Ok(Shell { is_closed, volume, facets: facets_here })
     };
@@ -47,7 +47,7 @@ pub(super) fn shells(
 /// The edges are divided where they meet.
 pub(super) fn close_shells(
     edges: &EdgeTable,
-    facets: &[Facet],
+    facets: &[Facet<'_>],
     mesh_of: &[u32],
     shells: &mut Vec<Shell>,
 ) -> Result<(), BooleanError> {
@@ -65,7 +65,7 @@ pub(super) fn close_shells(
     shells.retain(|shell| shell.is_closed);
     for set in sets.sets().into_iter().filter(|set| is_open[set[0] as usize]) {
         let volume = set.iter().map(|facet| volumes[*facet as usize]).sum();
-        shells.push(Shell { is_closed: is_closed(edges, facets, &set)?, facets: set, volume });
+        shells.push(Shell { is_closed: is_closed(edges, &set)?, facets: set, volume });
     }
     Ok(())
 }
@@ -78,10 +78,11 @@ fn unite_at_edges(
     counts: impl Fn(u32) -> bool,
 ) -> Result<(), BooleanError> {
     let mut first: Vec<(u32, u32)> = Vec::new();
-    for edge in &edges.list {
-        goes_on(edge.owners.len())?;
+    for edge in 0..edges.list.len() as u32 {
+        let owners = edges.owners(edge);
+        goes_on(owners.len())?;
         first.clear();
-        for owner in edge.owners.iter().filter(|owner| owner.count != 0 && counts(owner.facet)) {
+        for owner in owners.iter().filter(|owner| owner.count != 0 && counts(owner.facet)) {
             let mesh = mesh_of[owner.facet as usize];
             match first.iter().find(|known| known.0 == mesh) {
                 Some((_, facet)) => sets.unite(*facet, owner.facet),
@@ -93,10 +94,10 @@ fn unite_at_edges(
 }
 
 /// Returns true if the outlines of facets follow each edge equally often in both directions.
-fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> Result<bool, BooleanError> {
+fn is_closed(edges: &EdgeTable, shell: &[u32]) -> Result<bool, BooleanError> {
     let mut uses: Vec<(u32, i32)> = Vec::new();
     for &facet in shell {
-        let lines = &facets[facet as usize].lines;
+        let lines = edges.lines(facet);
         goes_on(lines.len())?;
         uses.extend(lines.iter().map(|&line| (line, edges.owner(line, facet).map_or(0, |owner| owner.count))));
     }
@@ -105,8 +106,8 @@ fn is_closed(edges: &EdgeTable, facets: &[Facet], shell: &[u32]) -> Result<bool,
 }
 
 /// Six times the signed volume of the pyramid from the origin to a facet.
-fn volume(points: &PointSet, facet: &Facet) -> f64 {
-    let at = |corner: usize| points.at[facet.corners[corner] as usize];
-    let fan = facet.rim().map(|[a, b]| (at(a) - facet.origin).cross(at(b) - facet.origin));
+fn volume(points: &PointSet, facet: &Facet<'_>) -> f64 {
+    let at = |point: u32| points.at[point as usize] - facet.origin;
+    let fan = facet.rings.edges().map(|[a, b]| at(a).cross(at(b)));
     facet.origin.dot(fan.sum())
 }

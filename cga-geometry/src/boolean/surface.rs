@@ -9,10 +9,11 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 
 use super::budget::Budget;
+use super::lists::Rings;
 use super::operation::BooleanError;
 use super::point_set::PointSet;
 use super::ray::{RayCaster, place_in};
-use super::sheet::{EdgeUse, SheetSide, Sheets};
+use super::sheet::{EdgeUse, Sheet, SheetSide, Sheets};
 use super::shell::ShellKind;
 use crate::disjoint::DisjointSets;
 use crate::each::Each;
@@ -28,13 +29,11 @@ pub(super) fn inside_surface(
     operand: u8,
     budget: &mut Budget,
 ) -> Result<Vec<bool>, BooleanError> {
-    let count = sheets.list.len();
+    let count = sheets.len() as usize;
     let surface: Vec<i32> = (0..count as u32).map(|sheet| surface_winding(sheets, rays, sheet, operand)).collect();
-    let is_other = |sheet: u32| {
-        let sources = &sheets.list[sheet as usize].sources;
-        sources.iter().all(|source| rays.operands[source.facet as usize] != operand)
-    };
-    let others: Vec<bool> = (0..count as u32).map(is_other).collect();
+    let is_other =
+        |sheet: Sheet<'_>| sheet.sources.iter().all(|source| rays.operands[source.facet as usize] != operand);
+    let others: Vec<bool> = sheets.iter().map(is_other).collect();
     if surface.iter().all(|winding| *winding == 0) || !others.contains(&true) {
         return Ok(vec![false; count]);
     }
@@ -80,7 +79,7 @@ pub(super) fn inside_surface(
 pub(super) fn surface_winding(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32, operand: u8) -> i32 {
     let is_open =
         |facet: u32| rays.kinds[facet as usize] == ShellKind::Open && rays.operands[facet as usize] == operand;
-    sheets.list[sheet as usize].sources.iter().filter(|source| is_open(source.facet)).map(|source| source.winding).sum()
+    sheets.at(sheet).sources.iter().filter(|source| is_open(source.facet)).map(|source| source.winding).sum()
 }
 
 /// The votes of one use of an edge: whether a surface around it has the use outside, and inside. `None` without a surface.
@@ -100,18 +99,13 @@ struct SurfaceTriangles(Vec<(i32, [u32; 3])>);
 impl SurfaceTriangles {
     fn of(sheets: &Sheets, rays: &RayCaster<'_>, surface: &[i32]) -> Self {
         let (mut triangulator, mut found) = (Triangulator::new(), Vec::new());
-        let (mut ends, mut triangles) = (Vec::new(), Vec::new());
-        for (sheet, winding) in sheets.list.iter().zip(surface).filter(|(_, winding)| **winding != 0) {
+        let mut triangles = Vec::new();
+        for (sheet, winding) in sheets.iter().zip(surface).filter(|(_, winding)| **winding != 0) {
             let facet = &rays.facets[sheet.facet() as usize];
-            let corners: Vec<u32> = sheet.rings.iter().flatten().copied().collect();
+            let Rings { corners, ends } = sheet.rings;
             let flat: Vec<_> = corners.iter().map(|point| facet.flat(rays.points.at[*point as usize])).collect();
-            ends.clear();
-            ends.extend(sheet.rings.iter().scan(0, |end, ring| {
-                *end += ring.len() as u32;
-                Some(*end)
-            }));
             triangles.clear();
-            triangulator.polygon(&flat, &ends, &mut triangles);
+            triangulator.polygon(&flat, ends, &mut triangles);
             found.extend(triangles.iter().map(|triangle| (*winding, triangle.each(|corner| corners[corner as usize]))));
         }
         SurfaceTriangles(found)
@@ -125,7 +119,7 @@ impl SurfaceTriangles {
         sheet: u32,
         budget: &mut Budget,
     ) -> Result<bool, BooleanError> {
-        let sheet = &sheets.list[sheet as usize];
+        let sheet = sheets.at(sheet);
         let Some(triangle) = rays.largest_triangle(sheet, &rays.facets[sheet.facet() as usize]) else {
             return Ok(false);
         };

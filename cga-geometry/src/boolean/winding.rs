@@ -23,7 +23,7 @@ impl Windings {
     }
 
     pub(super) fn of(sheets: &Sheets, rays: &RayCaster<'_>, budget: &mut Budget) -> Result<Self, BooleanError> {
-        let count = sheets.list.len();
+        let count = sheets.len() as usize;
         let node = |sheet: u32, side: SheetSide| 2 * sheet + side as u32;
         let mut spaces = DisjointSets::new(2 * count);
         for (_, uses) in sheets.fans() {
@@ -47,7 +47,7 @@ impl Windings {
             // The first of the widest sheets.
             let mut widest: Option<(f64, u32)> = None;
             for &sheet in &connected {
-                goes_on(sheets.list[sheet as usize].rings[0].len())?;
+                goes_on(outline(sheets, sheet).len())?;
                 let size = extent(sheets, rays, sheet);
                 let is_wider = |(most, first): (f64, u32)| most.total_cmp(&size).then(sheet.cmp(&first)).is_lt();
                 if widest.is_none_or(is_wider) {
@@ -55,7 +55,7 @@ impl Windings {
                 }
             }
             let Some((_, widest)) = widest else { continue };
-            let around = rays.around_front(&sheets.list[widest as usize], |_| true, budget)?;
+            let around = rays.around_front(sheets.at(widest), |_| true, budget)?;
             let start = space(widest, SheetSide::Front);
             known[start as usize] = Some(around);
             let mut open = vec![start];
@@ -112,7 +112,7 @@ fn connected_sheets(
 /// The change of the numbers from the front to the back of a sheet.
 fn step_back(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32) -> Around {
     let mut step = [0; 2];
-    for source in &sheets.list[sheet as usize].sources {
+    for source in sheets.at(sheet).sources {
         let sign = match rays.kinds[source.facet as usize] {
             ShellKind::Closed => 1,
             ShellKind::Inverted => -1,
@@ -123,9 +123,13 @@ fn step_back(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32) -> Around {
     step
 }
 
+fn outline(sheets: &Sheets, sheet: u32) -> &[u32] {
+    sheets.at(sheet).rings.iter().next().unwrap_or_default()
+}
+
 /// A measure of the size of a sheet: the length of its outline's box.
 fn extent(sheets: &Sheets, rays: &RayCaster<'_>, sheet: u32) -> f64 {
-    let places = sheets.list[sheet as usize].rings[0].iter().map(|point| rays.points.at[*point as usize]);
+    let places = outline(sheets, sheet).iter().map(|point| rays.points.at[*point as usize]);
     let bounds = crate::mesh::Bounds::of(places);
     bounds.size().length_squared()
 }

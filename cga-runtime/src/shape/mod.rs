@@ -227,6 +227,14 @@ impl Shape {
         self.in_scope(|mesh, to_scope| self.baked(mesh, to_scope))
     }
 
+    /// The number of corners of this mesh, which may be a copy of a large one.
+    pub(crate) fn corner_count(&self) -> usize {
+        match &self.geometry {
+            Geometry::Mesh(placed) => placed.mesh.corners().len(),
+            _ => self.to_mesh().corners().len(),
+        }
+    }
+
     /// The same mesh with its own texture coordinates. The implicit ones stay with the shape, so this is the mesh for
     /// geometry whose shape keeps them.
     pub(crate) fn own_mesh(&self) -> Arc<Mesh> {

@@ -241,15 +241,15 @@ fn build(env: &mut Env, shape: &mut Shape, along: EnvelopeAlong, height: f64, si
         env.fault(FaultKind::Value, format!("`envelope`: {why}; the shape stays as it is"));
         return;
     }
+    // Each edge has an upright side, a slope and two corners of the top and the bottom.
+    if env.count_corners(10 * shape.corner_count() as u64).is_break() {
+        return;
+    }
     let mesh = shape.to_mesh();
     let up = match along {
         EnvelopeAlong::Normal => None,
         EnvelopeAlong::WorldUp => Some(shape.scope.axes.transpose() * DVec3::Y),
     };
-    // Each edge has an upright side, a slope and two corners of the top and the bottom.
-    if env.count_corners(10 * mesh.corners().len() as u64).is_break() {
-        return;
-    }
     let (made, refused) = envelopes(&mesh, sides, height, up);
     report_refused(env, "envelope", &refused, &REFUSALS);
     let normal = || mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO);

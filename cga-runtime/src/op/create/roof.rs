@@ -147,14 +147,14 @@ fn build(env: &mut Env, shape: &mut Shape, name: &str, form: RoofForm, by: RoofV
         RoofValue::ByAngle => return refuse(env, name, "the angle is not between 0 and 90 degrees"),
         RoofValue::ByHeight => return refuse(env, name, "the height is not positive"),
     };
+    // Each edge has a face of about four corners, and the bottom. The mesh in the scope is a copy.
+    if env.count_corners(6 * shape.corner_count() as u64).is_break() {
+        return;
+    }
     let mesh = shape.to_mesh();
     let Some(up) = mesh.faces().map(|face| face.normal()).find(|normal| *normal != DVec3::ZERO) else {
         return refuse(env, name, "no face has a normal");
     };
-    // Each edge has a face of about four corners, and the bottom.
-    if env.count_corners(6 * mesh.corners().len() as u64).is_break() {
-        return;
-    }
     let Roofs { mesh: made, refused, without_overhangs } = roof_over(&mesh, form, rise);
     if env.spend(0).is_break() {
         return;

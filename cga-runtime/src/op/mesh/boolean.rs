@@ -9,7 +9,7 @@ use crate::geometry::boolean::{BooleanError, BooleanOp, combine};
 use crate::geometry::mesh::Mesh;
 use crate::geometry::mesh::join::join;
 use crate::geometry::unbent::bent_along;
-use crate::op::mesh::joined::{joined_state, part_meshes, replace_by, retain_parts};
+use crate::op::mesh::joined::{all_part_meshes, joined_state, replace_by, retain_parts};
 use crate::run::env::Env;
 use crate::shape::look::Look;
 use crate::shape::{Geometry, Shape};
@@ -94,7 +94,7 @@ fn boolean(env: &mut Env, shape: &mut Shape, mut operands: [Vec<Shape>; 2], op: 
     let material =
         leaves.first().filter(|_| is_common).map_or_else(Arc::default, |leaf| Arc::new(leaf.material().clone()));
     sum.state.change().look = Arc::new(Look { material, ..Look::default() });
-    let meshes: Vec<Mesh> = part_meshes(&sum, &leaves).collect();
+    let Some(meshes) = all_part_meshes(env, &sum, &leaves) else { return };
     let (first, second) = meshes.split_at(firsts);
     if let Some(mesh) = combined(env, op, word, [first, second], &leaves) {
         *shape = sum;
@@ -117,7 +117,7 @@ pub(in crate::op) fn unify(env: &mut Env, shape: &mut Shape, leaves: Vec<Shape>)
         }
         return;
     }
-    let meshes: Vec<Mesh> = part_meshes(shape, &leaves).collect();
+    let Some(meshes) = all_part_meshes(env, shape, &leaves) else { return };
     if let Some(made) = combined(env, BooleanOp::Unify, "inline(unify)", [&meshes, &[]], &leaves) {
         shape.state = joined_state(shape, &leaves[0], &leaves[1..]);
         set(shape, made);

@@ -8,13 +8,10 @@ use crate::geometry::mesh::{Mesh, SubcomponentTagsBuilder};
 use crate::geometry::unbent::bent_along;
 use crate::geometry::wire::Wire;
 use crate::op::mesh::boolean::unify;
-use crate::op::mesh::joined::{joined_state, part_meshes, replace_by, retain_parts};
+use crate::op::mesh::joined::{all_part_meshes, joined_state, replace_by, retain_parts};
 use crate::op::mesh::recompose::recompose;
 use crate::run::env::Env;
 use crate::shape::{Geometry, Shape};
-
-/// The units of work of a leaf besides its corners.
-const LEAF: usize = 256;
 
 /// The way in which the geometry of leaves is combined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,14 +61,9 @@ pub fn inline(env: &mut Env, shape: &mut Shape, [mut leaves]: [Vec<Shape>; 1], s
 }
 
 fn join_faces(env: &mut Env, shape: &mut Shape, leaves: &[Shape]) {
+    let Some(meshes) = all_part_meshes(env, shape, leaves) else { return };
     let mut direction = DVec3::ZERO;
-    let mut meshes: Vec<Mesh> = Vec::with_capacity(leaves.len());
-    for mesh in part_meshes(shape, leaves) {
-        if env.spend(LEAF + mesh.corners().len()).is_break() {
-            return;
-        }
-        meshes.push(bent_along(mesh, &mut direction));
-    }
+    let meshes: Vec<Mesh> = meshes.into_iter().map(|mesh| bent_along(mesh, &mut direction)).collect();
     let count: u64 = meshes.iter().map(|mesh| mesh.corners().len() as u64).sum();
     if env.count_corners(count).is_continue() {
         let joined = join(meshes.iter());

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::trace::Trace;
 use crate::material::Material;
+use crate::run::env::Env;
 use crate::shape::Shape;
 use crate::shape::look::Look;
 use crate::shape::state::{State, StateRef};
@@ -30,9 +31,18 @@ pub(in crate::op) fn part_meshes<'l>(shape: &Shape, leaves: &'l [Shape]) -> impl
     let is_common = leaves.iter().all(|leaf| leaf.material() == leaves[0].material());
     let to_scope = shape.scope.placement().inverse();
     leaves.iter().map(move |leaf| {
-        let mesh = leaf.to_mesh().map(&(to_scope * leaf.scope.placement()));
+        let mesh = Arc::unwrap_or_clone(leaf.to_mesh()).into_mapped(&(to_scope * leaf.scope.placement()));
         if is_common { mesh } else { with_material(&mesh, leaf.material()) }
     })
+}
+
+/// The units of work of a leaf besides its corners.
+const LEAF: usize = 256;
+
+/// All of these meshes. `None` if the run has ended.
+pub(in crate::op) fn all_part_meshes(env: &mut Env, shape: &Shape, leaves: &[Shape]) -> Option<Vec<Mesh>> {
+    let mut in_time = |mesh: Mesh| env.spend(LEAF + mesh.corners().len()).is_continue().then_some(mesh);
+    part_meshes(shape, leaves).map(&mut in_time).collect()
 }
 
 /// The mesh whose faces have a material over their own.
