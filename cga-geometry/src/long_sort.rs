@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::small_sort::merge_runs;
+use crate::small_sort::{SmallSort, merge_runs};
 use crate::work;
 
 /// Parts of this length are sorted by the standard library.
@@ -16,8 +16,19 @@ const MERGING: usize = 2;
 /// then, in no order.
 #[must_use]
 pub fn long_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) -> bool {
+    sort(list, |part| part.sort_unstable_by(&compare), &compare)
+}
+
+/// The same, with the order of equal elements kept. Lists are mostly short.
+#[must_use]
+pub fn long_stable_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) -> bool {
+    sort(list, |part| part.small_sort_by(&compare), &compare)
+}
+
+/// Sorts parts by a sort, and merges them.
+fn sort<T: Copy>(list: &mut [T], mut sort_part: impl FnMut(&mut [T]), compare: impl Fn(&T, &T) -> Ordering) -> bool {
     for part in list.chunks_mut(PART) {
-        part.sort_unstable_by(&compare);
+        sort_part(part);
         if !work::spend(SORTING * part.len()) {
             return false;
         }
@@ -43,8 +54,11 @@ mod tests {
             let mut list: Vec<(u64, u32)> = (0..count as u32).map(|number| (rng.next() % 1000, number)).collect();
             let mut expected = list.clone();
             expected.sort_unstable();
+            let mut by_key = list.clone();
             assert!(long_sort_by(&mut list, Ord::cmp));
             assert_eq!(list, expected);
+            assert!(long_stable_sort_by(&mut by_key, |a, b| a.0.cmp(&b.0)));
+            assert_eq!(by_key, expected);
         }
     }
 

@@ -10,7 +10,7 @@ use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TooManyCorners};
 use crate::nesting::extent::Extent;
 use crate::segment::nearest_share;
-use crate::tol::{AFFINE_EPSILON, NEXT_EPSILON, WHOLE_EPSILON};
+use crate::tol::{AFFINE_EPSILON, ANGLE_EPSILON, NEXT_EPSILON, WHOLE_EPSILON};
 use crate::triangulate::Triangulator;
 use crate::work;
 
@@ -55,7 +55,9 @@ impl UvPatch {
             _ => between(0, 2).cross(between(1, 3)),
         };
         let up: DVec3 = corners.iter().map(|corner| corner.up).sum();
-        let is_mirrored = (turn < 0) != (normal.dot(up) < 0.0);
+        // Along the surface up to rounding, the height has no side.
+        let is_below = normal.dot(up) < -ANGLE_EPSILON * normal.length() * up.length();
+        let is_mirrored = (turn < 0) != is_below;
         if turn < 0 {
             corners.reverse();
         }

@@ -41,7 +41,9 @@ impl Caps {
         mut open: impl FnMut(&CutPoints, usize, Vec<u32>),
     ) {
         let planes = state.points.planes.len();
-        state.rim.sort(planes);
+        if !state.rim.sort(planes) {
+            return;
+        }
         let mut sought = false;
         for plane in 0..planes {
             state.rim.missing(plane, &mut self.edges);

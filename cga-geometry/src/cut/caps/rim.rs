@@ -6,6 +6,7 @@
 
 use crate::buckets::Buckets;
 use crate::each::Each;
+use crate::long_sort::long_sort_by;
 
 /// The side of a plane that a face is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,10 +64,15 @@ impl Rim {
         self.edges.push((PlaneEdge { plane, a: a.min(b), b: a.max(b) }, count));
     }
 
-    /// Prepares calls of [`Rim::missing`].
-    pub(crate) fn sort(&mut self, planes: usize) {
-        self.edges.sort_unstable_by_key(|(edge, _)| (edge.plane, edge.a, edge.b));
+    /// Prepares calls of [`Rim::missing`]. Returns false if the work is to end.
+    #[must_use]
+    pub(crate) fn sort(&mut self, planes: usize) -> bool {
+        let key = |(edge, _): &(PlaneEdge, [i32; 2])| (edge.plane, edge.a, edge.b);
+        if !long_sort_by(&mut self.edges, |a, b| key(a).cmp(&key(b))) {
+            return false;
+        }
         self.by_plane.fill(planes, self.cuts.iter().map(|cut| cut.plane));
+        true
     }
 
     /// The edges that the cap of the side below a plane must have: the reversed edges of its faces without a partner.

@@ -30,8 +30,7 @@ pub(crate) fn find(state: &mut CutState, mesh: &Mesh) -> bool {
     flat.small_sort_by_key(|flat| flat.plane);
     let mut moved = Vec::new();
     // Without faces in planes there is nothing to do.
-    if !flat.is_empty() {
-        state.rim.sort(state.points.planes.len());
+    if !flat.is_empty() && state.rim.sort(state.points.planes.len()) {
         let mut missing = Vec::new();
         for together in flat.chunk_by(|a, b| a.plane == b.plane) {
             let plane = together[0].plane as usize;

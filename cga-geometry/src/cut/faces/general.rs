@@ -19,6 +19,7 @@ use crate::cut::class::Class;
 use crate::cut::points::PieceCorner;
 use crate::cut::state::CutState;
 use crate::each::Each;
+use crate::long_sort::long_stable_sort_by;
 use crate::mesh::{FaceRef, FaceTag, Mesh};
 use crate::small_sort::SmallSort;
 use crate::triangulate::PlaneProjection;
@@ -109,10 +110,15 @@ impl General {
     pub(crate) fn clip(&mut self, state: &mut CutState, mesh: &Mesh, face: usize, tag: FaceTag) {
         let view = mesh.face(face);
         let line = PlaneLine::of(&view, state.points.axis);
-        self.take_apart(state, mesh, &view, line);
+        if !self.take_apart(state, mesh, &view, line) {
+            return;
+        }
         // Whole loops come last in their slab. Each is its own successor.
         let is_whole = |fragment: &Fragment| !self.nodes[fragment.start].class().is_on_plane();
-        self.fragments.small_sort_by_key(|fragment| (fragment.slab, is_whole(fragment)));
+        let key = |fragment: &Fragment| (fragment.slab, is_whole(fragment));
+        if !long_stable_sort_by(&mut self.fragments, |a, b| key(a).cmp(&key(b))) {
+            return;
+        }
         for (number, fragment) in self.fragments.iter_mut().enumerate().filter(|(_, fragment)| is_whole(fragment)) {
             fragment.next = number;
         }
@@ -137,8 +143,8 @@ impl General {
         self.close_flat(state, mesh);
     }
 
-    /// Divides loops into fragments.
-    fn take_apart(&mut self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>, line: PlaneLine) {
+    /// Divides loops into fragments. Returns false if the work is to end.
+    fn take_apart(&mut self, state: &mut CutState, mesh: &Mesh, face: &FaceRef<'_>, line: PlaneLine) -> bool {
         self.nodes.clear();
         self.fragments.clear();
         self.on_planes.clear();
@@ -147,8 +153,9 @@ impl General {
         for ring in face.loop_ranges() {
             let start = self.nodes.len();
             state.points.cross_loop(&mut state.parts, mesh, ring, &mut self.nodes);
-            if !work::spend(self.nodes.len() - start) {
-                return;
+            // The crossings were counted as they were made.
+            if !work::spend(1) {
+                return false;
             }
             let Some(first) = self.nodes[start..].iter().position(|node| node.class().is_on_plane()) else {
                 let (slab, end) = (self.nodes[start].class().slab(), self.nodes.len() - 1);
@@ -164,7 +171,7 @@ impl General {
                     continue;
                 }
                 if !work::spend(FRAGMENT) {
-                    return;
+                    return false;
                 }
                 let plane = b.class().plane();
                 if here == last + 1 && a.class() == b.class() {
@@ -182,7 +189,7 @@ impl General {
                 last = here;
             }
         }
-        self.on_planes.small_sort_by(|a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)));
+        long_stable_sort_by(&mut self.on_planes, |a, b| a.plane.cmp(&b.plane).then(a.along.total_cmp(&b.along)))
     }
 
     /// Pairs the ends that fragments of one slab have on one of its planes.
@@ -291,7 +298,9 @@ impl General {
             let [a, b] = edge.nodes.each(|node| nodes[node].place.number);
             (edge.plane, a.min(b), a.max(b))
         };
-        self.plane_edges.small_sort_by_key(key);
+        if !long_stable_sort_by(&mut self.plane_edges, |a, b| key(a).cmp(&key(b))) {
+            return;
+        }
         // By start point. Equally many edges end at each point.
         let mut left: BTreeMap<(u32, u32), Vec<[usize; 2]>> = BTreeMap::new();
         for same in self.plane_edges.chunk_by(|a, b| key(a) == key(b)) {
