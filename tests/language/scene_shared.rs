@@ -108,6 +108,7 @@ fn lots_without_labels_affect_no_queries_of_labels() {
     assert_eq!([0, 2].map(|at| crate::lines(&model(&scene, at)).join("")), ["8", "58"]);
     let alone = SharedScene::new(vec![church.clone(), tree.clone()]);
     assert_eq!((alone.affected_by(&[&*tree]), alone.affected_by(&[&*near])), (vec![1], vec![]));
+    assert_eq!((scene.context_neighbours(0), scene.occlusion_neighbours(0)), (vec![1], vec![]));
     let scene = scene.context_distance(10.0);
     assert_eq!(scene.affected_by(&[&*church]), [0, 1]);
     assert_eq!(crate::lines(&model(&scene, 2)), ["inf"]);
