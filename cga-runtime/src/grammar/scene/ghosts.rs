@@ -306,8 +306,12 @@ impl SceneRun {
     }
 }
 
-/// The box around an initial shape, without its height.
+/// The box around an initial shape, without its height. A wrong one, such as one with NaN, has an empty box: its run never begins, and NaN
+/// in the tree of boxes would hide others.
 pub(super) fn plan_box(lot: &Shape) -> Bounds {
+    if lot.check_initial().is_err() {
+        return Bounds::EMPTY;
+    }
     let Bounds { mut low, mut high } = Body::from(lot).bounds();
     (low.y, high.y) = (0.0, 0.0);
     Bounds { low, high }

@@ -69,7 +69,10 @@ impl SceneLot {
     /// Finds the queries of the rules once. A lot that is refused has none, as its run never begins.
     fn facts(&self) -> &LotFacts {
         self.facts.get_or_init(|| {
-            let queries = || self.grammar.session(&self.settings).map(|mut session| session.queries(&self.shape));
+            let queries = || {
+                self.shape.check_initial()?;
+                self.grammar.session(&self.settings).map(|mut session| session.queries(&self.shape))
+            };
             // A grammar that is written by hand may panic, which its own run reports.
             let queries = catch_unwind(AssertUnwindSafe(queries)).ok().and_then(Result::ok);
             LotFacts { queries: queries.unwrap_or_default(), plan: plan_box(&self.shape) }
