@@ -160,7 +160,8 @@ impl Scenes {
             affected.retain(|lot| self.scene_of(*lot) == Some(*scene) && !own.contains(lot));
             lots.extend(affected);
             if old.distances != new.distances {
-                lots.extend(new.entities.iter().filter(|lot| old.neighbours(**lot) != new.neighbours(**lot)));
+                let sees_others = |lot: &&Entity| old.neighbours(**lot) != new.neighbours(**lot);
+                lots.extend(new.entities.iter().filter(sees_others));
             }
         }
         Affected { lots, passes: new }
@@ -212,7 +213,7 @@ impl TakenChange {
         }
         match (&self.old, &self.new) {
             (Some((from, _)), Some((to, _))) => {
-                [&old[from], &new[to]].iter().any(|pass| !pass.neighbours(self.lot).is_empty())
+                [&old[from], &new[to]].iter().any(|pass| !pass.neighbours(self.lot).iter().all(Vec::is_empty))
             }
             // Outside of scenes, queries of neighbours are faults.
             _ => true,
@@ -237,10 +238,11 @@ impl Pass {
         self.scene.affected_by(changed).into_iter().map(|index| self.entities[index]).collect()
     }
 
-    /// The lots that the rules of one can ask about.
-    fn neighbours(&self, lot: Entity) -> Vec<Entity> {
-        let indices = self.index_of(lot).map(|index| self.scene.neighbours(index)).unwrap_or_default();
-        indices.into_iter().map(|index| self.entities[index]).collect()
+    /// The lots that the occlusion queries of one can ask about, and the ones that its queries of labelled shapes can.
+    fn neighbours(&self, lot: Entity) -> [Vec<Entity>; 2] {
+        let Some(index) = self.index_of(lot) else { return Default::default() };
+        [self.scene.occlusion_neighbours(index), self.scene.context_neighbours(index)]
+            .map(|list| list.into_iter().map(|index| self.entities[index]).collect())
     }
 }
 

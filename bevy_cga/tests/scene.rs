@@ -38,6 +38,13 @@ cga! {
     Lot --> print(minimumDistance(inter, "church")) Parish.
 }
 
+cga! {
+    /// A mass that reaches beyond its lot, with a label and both kinds of queries.
+    grammar Wide;
+    Lot  --> label("lot") s(^3, ^1, ^1) extrude(9) Mass
+    Mass --> case overlaps(inter) : print(contextCount(inter, "lot")) Hidden. else : print(contextCount(inter, "lot")) Free.
+}
+
 fn broken() -> f64 {
     panic!("a broken function")
 }
@@ -91,8 +98,12 @@ fn count(app: &App, entity: Entity, rule: &str) -> usize {
 /// Compares all lots of a scene with a scene of the core.
 fn assert_equal_to_scene(app: &App, scene: Entity) {
     let world = app.world();
-    let grammars =
-        Grammars::new().with(Row::default()).with(Field::default()).with(Church::default()).with(Parish::default());
+    let grammars = Grammars::new()
+        .with(Row::default())
+        .with(Field::default())
+        .with(Church::default())
+        .with(Parish::default())
+        .with(Wide::default());
     let mut entities: Vec<Entity> = world.get::<CgaLots>(scene).map(|lots| lots.iter().collect()).unwrap_or_default();
     entities.retain(|entity| world.get::<Cga>(*entity).is_some());
     let lot = |entity: &Entity| {
@@ -239,6 +250,29 @@ fn labels_reach_as_far_as_the_scene_tells() {
     assert_eq!(runs(&mut app), sorted(&[church, parishes[0]]));
     app.world_mut().entity_mut(scene).remove::<CgaScene>();
     assert_eq!(runs(&mut app), parishes[1..]);
+    assert_equal_to_scene(&app, scene);
+}
+
+#[test]
+fn each_distance_of_a_scene_reaches_its_own_queries() {
+    let mut app = app();
+    let scene = scene(&mut app);
+    let lots: Vec<Entity> =
+        [0, 2, 9].into_iter().map(|at| add(&mut app, scene, Cga::new(Wide::default(), place(at)))).collect();
+    assert_eq!(runs(&mut app), lots);
+    assert_eq!([0, 1].map(|at| count(&app, lots[at], "Hidden")), [0, 0]);
+    // Queries of labels reach all lots before and after.
+    app.world_mut().get_mut::<CgaScene>(scene).expect("a scene").occlusion_distance = 10.0;
+    assert_eq!(runs(&mut app), lots[..2]);
+    assert_eq!([0, 1].map(|at| count(&app, lots[at], "Hidden")), [1, 1]);
+    assert_equal_to_scene(&app, scene);
+    app.world_mut().get_mut::<CgaScene>(scene).expect("a scene").context_distance = 1.0;
+    assert_eq!(runs(&mut app), lots);
+    assert_equal_to_scene(&app, scene);
+    // The distances change places.
+    *app.world_mut().get_mut::<CgaScene>(scene).expect("a scene") =
+        CgaScene { occlusion_distance: 1.0, context_distance: 10.0 };
+    assert_eq!(runs(&mut app), lots[..2]);
     assert_equal_to_scene(&app, scene);
 }
 

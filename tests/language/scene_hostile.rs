@@ -91,6 +91,21 @@ fn wrong_lots_are_an_error_with_their_number() {
 }
 
 #[test]
+fn a_wrong_lot_changes_no_model_before_its_error() {
+    let lots = [0.0, 10.0, f64::NAN, 1e5].map(|x| square([x, 0.0, 0.0]));
+    let asking = Asking::default();
+    let scene = Scene::new(&asking, &lots).context_distance(50.0);
+    let hidden = |at: usize| scene.generate_lot(at, &Settings::default()).map(|model| model.count("Hidden"));
+    assert_eq!([0, 1, 3].map(|at| hidden(at).expect("a model")), [4, 4, 0]);
+    let mut models = Vec::new();
+    let error = scene.generate_each(&Settings::default(), |_, model| {
+        models.push(model.count("Hidden"));
+        std::ops::ControlFlow::Continue(())
+    });
+    assert_eq!((error.expect_err("a wrong lot").shape, models), (Some(2), vec![4, 4]));
+}
+
+#[test]
 fn wrong_distances_count_as_zero() {
     let lots = [square([0.0; 3]), square([10.0, 0.0, 0.0]), square([20.5, 0.0, 0.0])];
     let asking = Asking::default();

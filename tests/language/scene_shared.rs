@@ -93,6 +93,24 @@ fn old_and_new_states_affect_the_lots_that_ask_about_them() {
 }
 
 #[test]
+fn a_lot_with_wrong_numbers_hides_no_neighbour_and_affects_no_other() {
+    let distant = shared(Row::default(), &Shape::rectangle(10.0, 10.0).at([200.0, 0.0, 0.0]));
+    for shape in [
+        Shape::rectangle(f64::NAN, 10.0),
+        Shape::rectangle(10.0, 10.0).at([f64::NAN, 0.0, 0.0]),
+        Shape::rectangle(10.0, 10.0).at([10.0, 0.0, f64::NEG_INFINITY]),
+        Shape::rectangle(10.0, f64::INFINITY),
+    ] {
+        let wrong = shared(Row::default(), &shape);
+        let [one, other]: [_; 2] = row(2).try_into().expect("two lots");
+        let scene = SharedScene::new(vec![one, other, wrong.clone(), distant.clone()]);
+        assert_eq!([0, 1, 2, 3].map(|at| scene.neighbours(at)), [vec![1], vec![0], vec![], vec![]], "{shape:?}");
+        assert_eq!(scene.affected_by(&[&*wrong]), [2], "{shape:?}");
+        assert_eq!(model(&scene, 0).count("Wall"), 2);
+    }
+}
+
+#[test]
 fn lots_without_labels_affect_no_queries_of_labels() {
     cga! { grammar Church = r#"Lot --> label("church") Church."#; }
     cga! { grammar House = r#"Lot --> print(minimumDistance(inter, "church")) House."#; }
@@ -108,6 +126,7 @@ fn lots_without_labels_affect_no_queries_of_labels() {
     assert_eq!([0, 2].map(|at| crate::lines(&model(&scene, at)).join("")), ["8", "58"]);
     let alone = SharedScene::new(vec![church.clone(), tree.clone()]);
     assert_eq!((alone.affected_by(&[&*tree]), alone.affected_by(&[&*near])), (vec![1], vec![]));
+    assert_eq!((scene.context_neighbours(0), scene.occlusion_neighbours(0)), (vec![1], vec![]));
     let scene = scene.context_distance(10.0);
     assert_eq!(scene.affected_by(&[&*church]), [0, 1]);
     assert_eq!(crate::lines(&model(&scene, 2)), ["inf"]);

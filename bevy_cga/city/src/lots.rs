@@ -13,6 +13,8 @@ pub(crate) struct District {
     /// The meadow around the district.
     pub(crate) meadow: Outline,
     pub(crate) asphalt: Outline,
+    /// Pieces of the streets along each block, for which houses look.
+    pub(crate) streets: Vec<Outline>,
     pub(crate) sidewalks: Vec<Outline>,
     pub(crate) gardens: Vec<Outline>,
     pub(crate) houses: Vec<Outline>,
@@ -20,6 +22,8 @@ pub(crate) struct District {
 
 const STREET: f64 = 13.0;
 const SIDEWALK: f64 = 3.0;
+/// The width of the part of a street that belongs to one block.
+const LANE: f64 = 5.0;
 /// The depth of the houses along a street.
 const DEPTH: f64 = 12.0;
 const WIDTHS: [f64; 5] = [58.0, 66.0, 52.0, 72.0, 60.0];
@@ -49,6 +53,27 @@ impl Random {
 impl Rectangle {
     fn grown(self, by: f64) -> Self {
         Rectangle { low: self.low.map(|part| part - by), high: self.high.map(|part| part + by) }
+    }
+
+    /// The lanes along the four sides, in pieces that are short enough for the bends. The first edge of a piece is along its street.
+    fn lanes(self) -> Vec<Outline> {
+        let ([x, z], [far_x, far_z]) = (self.low, self.high);
+        let corners = [[x, z], [x, far_z], [far_x, far_z], [far_x, z]];
+        let mut lanes = Vec::new();
+        for (at, from) in corners.into_iter().enumerate() {
+            let to = corners[(at + 1) % 4];
+            let size = [0, 1].map(|axis| to[axis] - from[axis]);
+            let length = size[0].abs() + size[1].abs();
+            let outward = [-size[1] / length * LANE, size[0] / length * LANE];
+            let parts = (length / 15.0).ceil();
+            let point =
+                |k: f64, out: f64| bent([0, 1].map(|axis| from[axis] + size[axis] * k / parts + outward[axis] * out));
+            lanes.extend((0..parts as u32).map(f64::from).map(|k| Outline {
+                outer: vec![point(k + 1.0, 0.0), point(k, 0.0), point(k, 1.0), point(k + 1.0, 1.0)],
+                holes: Vec::new(),
+            }));
+        }
+        lanes
     }
 
     /// The bent outline, with points every few metres.
@@ -95,6 +120,7 @@ pub(crate) fn district() -> District {
         for (row, depth) in DEPTHS.into_iter().enumerate() {
             let block = Rectangle { low: [x, z], high: [x + width, z + depth] };
             district.sidewalks.push(Outline { outer: block.outline(6.0), holes: Vec::new() });
+            district.streets.extend(block.lanes());
             let inner = block.grown(-SIDEWALK);
             match (column, row) {
                 (2, 1) => district.gardens.push(Outline { outer: inner.outline(6.0), holes: Vec::new() }),

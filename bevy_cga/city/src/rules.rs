@@ -13,6 +13,9 @@ cga! {
     Meadow   --> color("#6f8553") Meadow.
     @StartRule
     Asphalt  --> color("#5b5d61") Asphalt.
+    // The asphalt has the surface of all streets; houses look for the label.
+    @StartRule
+    Street   --> label("street") NIL
     @StartRule
     Sidewalk --> extrude(0.15) color("#b7b1a5") Sidewalk.
     @StartRule

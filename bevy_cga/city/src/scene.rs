@@ -7,7 +7,7 @@ use bevy::camera_controller::free_camera::FreeCamera;
 use bevy::light::{CascadeShadowConfigBuilder, DirectionalLightShadowMap};
 use bevy::pbr::{DistanceFog, FogFalloff};
 use bevy::prelude::*;
-use bevy_cga::Cga;
+use bevy_cga::{Cga, CgaLotOf, CgaScene};
 use cga::{Assets, Shape};
 
 use crate::district::House;
@@ -77,9 +77,15 @@ pub(crate) fn district(mut commands: Commands) -> Result {
         garden.shape = garden.shape.seed(number as u64);
         commands.spawn(garden);
     }
+    // Houses ask about the houses and the streets around them.
+    let scene = commands.spawn(CgaScene::default()).id();
+    for street in &district.streets {
+        commands.spawn((ground(street, 0.0, "Street")?, CgaLotOf(scene)));
+    }
     for (number, house) in district.houses.iter().enumerate() {
         let shape = Shape::footprint(&house.outer, &house.holes)?.at([0.0, 0.15, 0.0]).seed(number as u64);
-        commands.spawn((Cga::new(House::default(), shape), Building(number)));
+        let house = House { neighbours: true, ..House::default() };
+        commands.spawn((Cga::new(house, shape), Building(number), CgaLotOf(scene)));
     }
     Ok(())
 }

@@ -188,13 +188,15 @@ impl SceneRun {
         list
     }
 
-    /// The other initial shapes that one can find with its queries.
-    pub(super) fn neighbours_of(&self, index: usize) -> Vec<usize> {
-        let labelled = self.near(index, Queries::INTER_CONTEXT, self.distances.context);
-        let mut list = self.near(index, Queries::INTER_OCCLUSION, self.distances.occlusion);
-        list.extend(labelled.into_iter().filter(|at| self.queries[*at].has_any(Queries::LABELS)));
-        list.sort_unstable();
-        list.dedup();
+    /// The other initial shapes that one can find with its occlusion queries.
+    pub(super) fn occlusion_neighbours(&self, index: usize) -> Vec<usize> {
+        self.near(index, Queries::INTER_OCCLUSION, self.distances.occlusion)
+    }
+
+    /// The other initial shapes that one can find with its queries of labelled shapes.
+    pub(super) fn context_neighbours(&self, index: usize) -> Vec<usize> {
+        let mut list = self.near(index, Queries::INTER_CONTEXT, self.distances.context);
+        list.retain(|at| self.queries[*at].has_any(Queries::LABELS));
         list
     }
 
@@ -304,8 +306,12 @@ impl SceneRun {
     }
 }
 
-/// The box around an initial shape, without its height.
+/// The box around an initial shape, without its height. A wrong one, such as one with NaN, has an empty box: its run never begins, and NaN
+/// in the tree of boxes would hide others.
 pub(super) fn plan_box(lot: &Shape) -> Bounds {
+    if lot.check_initial().is_err() {
+        return Bounds::EMPTY;
+    }
     let Bounds { mut low, mut high } = Body::from(lot).bounds();
     (low.y, high.y) = (0.0, 0.0);
     Bounds { low, high }

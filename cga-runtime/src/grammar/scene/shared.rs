@@ -69,7 +69,10 @@ impl SceneLot {
     /// Finds the queries of the rules once. A lot that is refused has none, as its run never begins.
     fn facts(&self) -> &LotFacts {
         self.facts.get_or_init(|| {
-            let queries = || self.grammar.session(&self.settings).map(|mut session| session.queries(&self.shape));
+            let queries = || {
+                self.shape.check_initial()?;
+                self.grammar.session(&self.settings).map(|mut session| session.queries(&self.shape))
+            };
             // A grammar that is written by hand may panic, which its own run reports.
             let queries = catch_unwind(AssertUnwindSafe(queries)).ok().and_then(Result::ok);
             LotFacts { queries: queries.unwrap_or_default(), plan: plan_box(&self.shape) }
@@ -147,12 +150,28 @@ impl SharedScene {
         &self.lots
     }
 
-    /// The indices of the other lots that the rules of one can ask about. Empty for an index out of range.
+    /// The indices of the other lots that the rules of one can ask about, in ascending order. Empty for an index out of range.
     pub fn neighbours(&self, index: usize) -> Vec<usize> {
-        match self.lots.get(index) {
-            Some(lot) if lot.asks_about_neighbours() => self.run().neighbours_of(index),
-            _ => Vec::new(),
-        }
+        let mut list = self.occlusion_neighbours(index);
+        list.extend(self.context_neighbours(index));
+        list.sort_unstable();
+        list.dedup();
+        list
+    }
+
+    /// The [`neighbours`](SharedScene::neighbours) that occlusion queries ask about.
+    pub fn occlusion_neighbours(&self, index: usize) -> Vec<usize> {
+        if self.asks(index) { self.run().occlusion_neighbours(index) } else { Vec::new() }
+    }
+
+    /// The [`neighbours`](SharedScene::neighbours) that queries of labelled shapes ask about: those whose rules make labels.
+    pub fn context_neighbours(&self, index: usize) -> Vec<usize> {
+        if self.asks(index) { self.run().context_neighbours(index) } else { Vec::new() }
+    }
+
+    /// Returns true if the rules of a lot can ask about neighbours.
+    fn asks(&self, index: usize) -> bool {
+        self.lots.get(index).is_some_and(|lot| lot.asks_about_neighbours())
     }
 
     /// The indices of the lots whose models may change if the lots of `changed` do: themselves, and those whose rules can ask about one of
