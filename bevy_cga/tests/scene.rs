@@ -190,7 +190,7 @@ fn lots_come_go_and_move_to_other_scenes() {
     let others: Vec<Entity> =
         (0..3).map(|at| add(&mut app, scenes[1], Cga::new(Row::default(), place(6 + at)))).collect();
     assert_eq!(runs(&mut app), others);
-    // It leaves the neighbour of place 5, and stands in the house of place 6.
+    // It moves away from the house at place 5, into the house at place 6.
     app.world_mut().entity_mut(lots[6]).insert(CgaLotOf(scenes[1]));
     assert_eq!(runs(&mut app), sorted(&[lots[5], lots[6], others[0], others[1]]));
     scenes.iter().for_each(|scene| assert_equal_to_scene(&app, *scene));

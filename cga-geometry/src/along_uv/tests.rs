@@ -176,7 +176,7 @@ fn along_vertex_normals_a_roof_stays_together() {
 #[test]
 fn faces_that_a_projection_sees_edge_on_get_nothing() {
     let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [0.0, 2.0]];
-    // A wall along u: v is constant but for the last bits. A strip of a millionth of a tile has its asset.
+    // The wall is along u, so v is constant except for its last bits. A strip as wide as a millionth of a tile gets the asset.
     for (width, is_seen) in [(0.0, false), (4e-15, false), (-1e-14, false), (1e-6, true), (-1e-6, true)] {
         let corner = |[x, y]: [f64; 2]| ([x, y], [x, 0.41834667 + 0.5 * y * width]);
         let made = insert(&carrier(&[corners.map(corner).to_vec()]), &primitive::cube(), &UP);

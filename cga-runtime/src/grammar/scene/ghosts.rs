@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::geometry::bounds_tree::BoundsTree;
+use super::plan::Plan;
 use crate::geometry::mesh::Bounds;
 use crate::grammar::parallel::order::in_order;
 use crate::grammar::parallel::{Open, Worker};
@@ -15,7 +15,6 @@ use crate::run::settings::Settings;
 use crate::run::sink::Sink;
 use crate::run::surroundings::{LabelledNeighbours, Neighbours};
 use crate::shape::Shape;
-use crate::shape::body::Body;
 
 /// The distances up to which initial shapes are neighbours, in metres.
 #[derive(Clone, Copy, Debug)]
@@ -86,8 +85,7 @@ pub(super) struct SceneRun {
     /// What ghosts contain.
     collect: Collect,
     /// The boxes around the initial shapes, without their height. Empty in a scene without queries of neighbours.
-    plan: Vec<Bounds>,
-    plan_tree: BoundsTree,
+    plan: Plan,
     ghosts: Vec<Mutex<Option<Arc<Ghost>>>>,
     /// The number of initial shapes that can still ask about each one. `MAX` where this is not counted.
     users: Vec<AtomicUsize>,
@@ -101,10 +99,9 @@ impl SceneRun {
         let all = queries.iter().fold(Queries::default(), |all, own| all | *own);
         let collect =
             Collect { labels: all.has_any(Queries::INTER_CONTEXT), occluders: all.has_any(Queries::INTER_OCCLUSION) };
-        let plan: Vec<Bounds> = if collect.is_nothing() { Vec::new() } else { plan() };
-        let (ghosts, users) = plan.iter().map(|_| (Mutex::default(), AtomicUsize::new(usize::MAX))).unzip();
-        let plan_tree = BoundsTree::of(&plan);
-        SceneRun { distances, queries, collect, plan, plan_tree, ghosts, users, labels: OnceLock::new() }
+        let plan = Plan::of(if collect.is_nothing() { Vec::new() } else { plan() });
+        let (ghosts, users) = plan.boxes().iter().map(|_| (Mutex::default(), AtomicUsize::new(usize::MAX))).unzip();
+        SceneRun { distances, queries, collect, plan, ghosts, users, labels: OnceLock::new() }
     }
 
     /// Runs an initial shape among its neighbours.
@@ -144,7 +141,7 @@ impl SceneRun {
         in_order(labelled.len(), first, again, job, |found: Result<(usize, Arc<Ghost>), NoNeighbour>| match found {
             Ok((at, ghost)) => {
                 index.add_all(at, ghost.labels());
-                // Of many, those that occlusion queries ask about are derived again when their turn comes.
+                // If there are many, they do not stay: an occlusion query derives the ones that it asks about again.
                 let is_asked = self.collect.occluders && self.users[at].load(Ordering::Relaxed) != 0;
                 if !is_asked || MOST_KEPT < labelled.len() {
                     self.forget(at);
@@ -164,7 +161,7 @@ impl SceneRun {
             return;
         }
         self.users.iter().for_each(|users| users.store(0, Ordering::Relaxed));
-        for index in 0..self.plan.len() {
+        for index in 0..self.plan.boxes().len() {
             self.asked(index).for_each(|at| {
                 self.users[at].fetch_add(1, Ordering::Relaxed);
             });
@@ -173,12 +170,12 @@ impl SceneRun {
 
     /// The initial shapes whose models depend on one.
     pub(super) fn affected_by(&self, index: usize) -> Vec<usize> {
-        let Some(own) = self.plan.get(index) else {
+        let Some(own) = self.plan.boxes().get(index) else {
             return (index < self.queries.len()).then_some(index).into_iter().collect();
         };
         let has = |at: usize, kind: Queries| self.queries[at].has_any(kind);
         let near =
-            |kind: Queries, distance: f64| self.within(own, distance).into_iter().filter(move |at| has(*at, kind));
+            |kind: Queries, distance: f64| self.plan.within(own, distance).into_iter().filter(move |at| has(*at, kind));
         let mut list: Vec<usize> = near(Queries::INTER_OCCLUSION, self.distances.occlusion)
             .chain(near(Queries::INTER_CONTEXT, self.distances.context))
             .chain([index])
@@ -210,20 +207,8 @@ impl SceneRun {
         if !self.queries[index].has_any(kind) {
             return Vec::new();
         }
-        let near = self.within(&self.plan[index], distance);
+        let near = self.plan.within(&self.plan.boxes()[index], distance);
         near.into_iter().filter(|at| *at != index).collect()
-    }
-
-    /// The initial shapes that are at most so far from a box in plan, in ascending order.
-    fn within(&self, query: &Bounds, distance: f64) -> Vec<usize> {
-        let is_near = |bounds: &Bounds| bounds.distance(query) <= distance;
-        let mut found = Vec::new();
-        self.plan_tree.visit(is_near, |at| {
-            found.extend(is_near(&self.plan[at as usize]).then_some(at as usize));
-            true
-        });
-        found.sort_unstable();
-        found
     }
 
     /// The other initial shapes whose ghosts one asks for, each once.
@@ -304,15 +289,4 @@ impl SceneRun {
     fn forget(&self, index: usize) {
         *self.ghosts[index].lock().unwrap_or_else(PoisonError::into_inner) = None;
     }
-}
-
-/// The box around an initial shape, without its height. A wrong one, such as one with NaN, has an empty box: its run never begins, and NaN
-/// in the tree of boxes would hide others.
-pub(super) fn plan_box(lot: &Shape) -> Bounds {
-    if lot.check_initial().is_err() {
-        return Bounds::EMPTY;
-    }
-    let Bounds { mut low, mut high } = Body::from(lot).bounds();
-    (low.y, high.y) = (0.0, 0.0);
-    Bounds { low, high }
 }

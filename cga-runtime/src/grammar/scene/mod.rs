@@ -1,12 +1,14 @@
 //! Scenes: initial shapes whose rules may ask about each other.
 
 mod ghosts;
+mod plan;
 pub mod shared;
 
 use std::fmt;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use self::ghosts::{Distances, InSession, SceneRun, plan_box};
+use self::ghosts::{Distances, InSession, SceneRun};
+use self::plan::plan_box;
 use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::grammar::grammars::Grammars;

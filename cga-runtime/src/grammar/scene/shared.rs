@@ -6,9 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
 use std::sync::{Arc, OnceLock};
 
-use super::ghosts::{Derivations, Distances, SceneRun, plan_box};
+use super::ghosts::{Derivations, Distances, SceneRun};
+use super::plan::{Plan, plan_box};
 use crate::fault::Error;
-use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::mesh::Bounds;
 use crate::grammar::Grammar;
 use crate::grammar::parallel::Worker;
@@ -180,13 +180,14 @@ impl SharedScene {
         let own: BTreeSet<*const SceneLot> = changed.iter().map(|lot| ptr::from_ref(*lot)).collect();
         let asks = self.lots.iter().any(|lot| lot.asks_about_neighbours());
         let near = if asks { changed } else { &[] };
-        let occluding = Plan::of(near.to_vec());
-        let labelled = Plan::of(near.iter().copied().filter(|lot| lot.has_any(Queries::LABELS)).collect());
+        let plan = |lots: &mut dyn Iterator<Item = &&SceneLot>| Plan::of(lots.map(|lot| lot.facts().plan).collect());
+        let occluding = plan(&mut near.iter());
+        let labelled = plan(&mut near.iter().filter(|lot| lot.has_any(Queries::LABELS)));
         let is_affected = |lot: &SceneLot| {
             let Distances { occlusion, context } = self.distances;
             own.contains(&ptr::from_ref(lot))
-                || lot.has_any(Queries::INTER_OCCLUSION) && occluding.has_near(lot, occlusion)
-                || lot.has_any(Queries::INTER_CONTEXT) && labelled.has_near(lot, context)
+                || lot.has_any(Queries::INTER_OCCLUSION) && occluding.has_within(&lot.facts().plan, occlusion)
+                || lot.has_any(Queries::INTER_CONTEXT) && labelled.has_within(&lot.facts().plan, context)
         };
         let affected = self.lots.iter().enumerate().filter(|(_, lot)| is_affected(lot));
         affected.map(|(index, _)| index).collect()
@@ -218,30 +219,6 @@ impl SharedScene {
             let queries = self.lots.iter().map(|lot| lot.facts().queries).collect();
             SceneRun::new(self.distances, queries, || self.lots.iter().map(|lot| lot.facts().plan).collect())
         })
-    }
-}
-
-/// The boxes of lots, with a tree.
-struct Plan {
-    boxes: Vec<Bounds>,
-    tree: BoundsTree,
-}
-
-impl Plan {
-    fn of(lots: Vec<&SceneLot>) -> Self {
-        let boxes: Vec<Bounds> = lots.iter().map(|lot| lot.facts().plan).collect();
-        Plan { tree: BoundsTree::of(&boxes), boxes }
-    }
-
-    /// Returns true if a lot of the plan is at most so far from another one.
-    fn has_near(&self, lot: &SceneLot, distance: f64) -> bool {
-        let is_near = |bounds: &Bounds| bounds.distance(&lot.facts().plan) <= distance;
-        let mut is_found = false;
-        self.tree.visit(is_near, |at| {
-            is_found = is_near(&self.boxes[at as usize]);
-            !is_found
-        });
-        is_found
     }
 }
 
