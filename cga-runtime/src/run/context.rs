@@ -251,7 +251,9 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
         return flow;
     }
     let has_own_sets = !shape.state.coordinates().is_empty();
-    shape.bake();
+    if has_own_sets {
+        shape.write_sets_of_mesh();
+    }
     env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
     if let Geometry::Mesh(placed) = &shape.geometry {
         let own = if has_own_sets { placed.mesh.corners().len() as u64 } else { 0 };

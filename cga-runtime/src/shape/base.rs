@@ -58,9 +58,15 @@ impl Base {
         Base { axes, raised: axes.raised(), shape, look, maps: KeptMaps::default(), constant }
     }
 
-    /// A base at the origin for a part that is moved there, with another look, and with its axes or the axes of the world.
+    /// A base at the origin for a part that is moved there, with another look, and with its axes or the axes of the world. Projections stay
+    /// where they are, so they are unknown.
     pub(crate) fn at_origin(part: &ShapeRef<'_>, look: LookId, keeps_axes: bool) -> Self {
         let axes = if keeps_axes { part.axes.matrix } else { DMat3::IDENTITY };
+        let mut state = part.base.shape.state.clone();
+        if !state.projections().is_empty() {
+            let unknown = state.projections().unknown();
+            state.change().projections = unknown;
+        }
         let scope = Scope { axes, ..Scope::new(part.size.get()) };
         let shape = Shape {
             scope,
@@ -71,7 +77,7 @@ impl Base {
             comp: Counter::NONE,
             selector: Text::default(),
             trims: Trims::None,
-            state: part.base.shape.state.clone(),
+            state,
         };
         Base { constant: part.base.constant, ..Base::new(shape, look) }
     }

@@ -120,7 +120,7 @@ impl StateRef {
 
     /// The stored projections.
     pub(crate) fn projections(&self) -> &Projections {
-        static NONE: Projections = Projections::NONE;
+        static NONE: Projections = Projections::None;
         self.get().map_or(&NONE, |state| &state.projections)
     }
 

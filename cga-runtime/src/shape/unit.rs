@@ -21,6 +21,8 @@ use crate::geometry::mesh::{Mesh, TaggedComponents};
 use crate::geometry::primitive;
 use crate::geometry::provenance::Provenance;
 use crate::geometry::solid;
+use crate::geometry::uv_map::UvMap;
+use crate::shape::texture::unit_cube_side;
 
 /// The mesh of a box or a rectangle with a length of 1 along each of its axes. A rectangle is at 0 on the axis across
 /// it.
@@ -41,6 +43,8 @@ struct UnitShape {
     inserted: OnceLock<UnitMesh>,
     /// The unmarked unit of an inserted one.
     plain: Option<UnitMesh>,
+    /// The mesh with the texture coordinates of a cube.
+    textured: OnceLock<Arc<Mesh>>,
 }
 
 /// A face of a unit mesh.
@@ -176,6 +180,20 @@ impl UnitMesh {
         &self.0.mesh
     }
 
+    /// The mesh of a box with the texture coordinates of an inserted cube (*primitiveCube operation*). Caps have (0, 0).
+    pub(crate) fn with_cube_coordinates(self) -> &'static Arc<Mesh> {
+        self.0.textured.get_or_init(|| {
+            let (faces, points) = (self.faces().iter(), self.mesh().points());
+            let is_cap = |face: &UnitFace| face.provenance == Provenance::Cut;
+            let maps = faces.flat_map(|face| {
+                let map = if is_cap(face) { UvMap::ZERO } else { unit_cube_side(face.side.normal()) };
+                [map; 4]
+            });
+            let uvs = maps.zip(self.mesh().corners()).map(|(map, &corner)| map.at(points[corner as usize]));
+            Arc::new(self.mesh().with_uv_set(0, uvs.collect()))
+        })
+    }
+
     /// Its faces, in order.
     pub(crate) fn faces(self) -> &'static [UnitFace] {
         &self.0.faces[..self.face_count()]
@@ -304,6 +322,7 @@ impl UnitShape {
             grown: OnceLock::new(),
             inserted: OnceLock::new(),
             plain: None,
+            textured: OnceLock::new(),
         }
     }
 }

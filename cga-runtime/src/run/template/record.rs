@@ -231,7 +231,8 @@ impl<C: Clone> Cx<'_, C> {
         if is_ended {
             return Err(Lost::Ended);
         }
-        if !is_complete || !is_quiet || MOST_TAPED < reports.len() {
+        let has_missed = base.shape.state.projections().has_missed();
+        if !is_complete || !is_quiet || has_missed || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
         let body = TemplateBody {

@@ -39,10 +39,9 @@ struct LastTemplate<C> {
 }
 
 /// Returns true if everything that operations on whole shapes read moves with the part: it has the axes of its pivot, and no texture
-/// coordinates.
+/// coordinates. Projections do not move; a rule that reads them has no template.
 fn moves_as_a_whole(part: &ShapeRef<'_>) -> bool {
-    let base = &part.base.shape;
-    part.axes.is(&base.pivot.axes) && !base.state.has_texture_space() && !part.has_coordinates()
+    part.axes.is(&part.base.shape.pivot.axes) && !part.has_coordinates()
 }
 
 impl<C> LastTemplate<C> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::{Coordinates, Projections, UvSource};
+use super::{Coordinates, CubeSides, Projections, UvSource};
 use crate::geometry::Axis;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::work;
@@ -24,12 +24,28 @@ impl Shape {
     #[cold]
     #[inline(never)]
     fn write_sets(&mut self) {
-        self.hold_as_mesh();
-        if let Geometry::Mesh(placed) = &self.geometry {
-            let mesh = self.baked(&placed.mesh, &placed.to_scope(self.scope.size));
-            self.geometry = Geometry::Mesh(Arc::new(Placed { mesh, ..Placed::clone(placed) }));
-        }
+        self.write_sets_of_mesh();
         self.state.change_look().coordinates = Coordinates::default();
+    }
+
+    /// Writes implicit coordinates into the sets of the mesh, of a shape whose own coordinates count no more. A cube as it is inserted has a
+    /// mesh that all cubes share.
+    pub(crate) fn write_sets_of_mesh(&mut self) {
+        let cube = match self.geometry {
+            Geometry::Box(unit) if self.state.coordinates().is_cube_in(&self.scope) => Some(unit),
+            _ => None,
+        };
+        self.hold_as_mesh();
+        if let Geometry::Mesh(placed) = &mut self.geometry {
+            let mesh = match cube {
+                Some(unit) => unit.with_cube_coordinates().clone(),
+                None => {
+                    let place = self.scope.placement() * placed.to_scope(self.scope.size);
+                    Arc::new(with_sets(&placed.mesh, &place, self.state.coordinates(), self.state.projections()))
+                }
+            };
+            Arc::make_mut(placed).mesh = mesh;
+        }
     }
 
     /// A mesh of this shape with explicit sets only; `to_scope` maps its coordinates to the scope.
@@ -173,15 +189,13 @@ fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projectio
                 let local = map.then(&change).after(place);
                 mesh.corners().iter().map(|&corner| local.at(mesh.points()[corner as usize])).collect()
             }
-            UvSource::Cube(_) => {
-                let mut list = vec![DVec2::ZERO; mesh.corners().len()];
-                let turn = crate::geometry::mesh::map::normal_map(&place.matrix3);
+            UvSource::Cube(cube) => {
+                let sides = CubeSides::new(&cube, place);
+                let mut list = Vec::with_capacity(mesh.corners().len());
                 for face in mesh.faces() {
-                    let Some(map) = source.map(turn * face.normal()) else { continue };
-                    let local = map.then(&change).after(place);
-                    for corner in face.corner_range() {
-                        list[corner] = local.at(mesh.points()[mesh.corners()[corner] as usize]);
-                    }
+                    let side = sides.of(face.area_vector()).then(&change);
+                    let corners = &mesh.corners()[face.corner_range()];
+                    list.extend(corners.iter().map(|&corner| side.at(mesh.points()[corner as usize])));
                 }
                 list
             }

@@ -8,6 +8,7 @@ use super::Projections;
 use crate::fixed_hash::FixedHasher;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
+use crate::geometry::mesh::map::normal_map;
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::uv_map::UvMap;
 use crate::shape::scope::Scope;
@@ -104,6 +105,18 @@ impl Coordinates {
     /// Returns true if each side of a box has its own coordinates.
     pub(crate) fn has_cube(&self) -> bool {
         self.sets.iter().any(|entry| matches!(entry.source, UvSource::Cube(_)))
+    }
+
+    /// Returns true if the only coordinates are a cube's as it is inserted, and the cube fills a scope.
+    pub(crate) fn is_cube_in(&self, scope: &Scope) -> bool {
+        let [SetEntry { set: 0, source: UvSource::Cube(place), change }] = &self.sets[..] else { return false };
+        if *change != DAffine2::IDENTITY || !scope.size.cmpgt(DVec3::ZERO).all() {
+            return false;
+        }
+        let of_unit = *place * scope.placement() * DAffine3::from_scale(scope.size);
+        // The numbers of a place far from the origin are rounded.
+        let most = 8.0 * f64::EPSILON * (1.0 + place.translation.abs().max_element());
+        of_unit.abs_diff_eq(DAffine3::IDENTITY, most)
     }
 
     /// Returns true if some coordinates follow from the stored projection of a set.
@@ -213,15 +226,43 @@ impl Coordinates {
     }
 }
 
-/// The coordinates of the side of a cube that contains a face with that normal: u to the right as seen from outside,
-/// v upwards (*primitiveCube operation*). On top and bottom v = 0 is at the front.
+/// The coordinates of the side of a cube that contains a face with that normal (*primitiveCube operation*). `place` maps the world to the
+/// cube.
 fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
-    // The row of the cube's direction with the largest component along the normal. The lengths of sides make no
-    // difference.
+    unit_cube_side(directions(place) * normal).after(place)
+}
+
+/// The directions of a cube's axes in the world, as rows. The lengths of sides make no difference.
+fn directions(place: &DAffine3) -> DMat3 {
     let rows = place.matrix3.transpose();
-    let along = |row: DVec3| row.try_normalize().map_or(0.0, |row| row.dot(normal));
-    let n = DVec3::new(along(rows.x_axis), along(rows.y_axis), along(rows.z_axis));
-    let a = n.abs();
+    let [x, y, z] = [rows.x_axis, rows.y_axis, rows.z_axis].each(DVec3::normalize_or_zero);
+    DMat3::from_cols(x, y, z).transpose()
+}
+
+/// The coordinates of the sides of a cube, for the faces of a mesh.
+pub(crate) struct CubeSides {
+    /// The map from the mesh to the cube with sides of length 1.
+    to_cube: DAffine3,
+    /// The map of normals to the directions of the cube.
+    turn: DMat3,
+}
+
+impl CubeSides {
+    /// The sides of a cube; `cube` maps the world to it and `place` the mesh to the world.
+    pub(crate) fn new(cube: &DAffine3, place: &DAffine3) -> Self {
+        CubeSides { to_cube: cube * place, turn: directions(cube) * normal_map(&place.matrix3) }
+    }
+
+    /// The coordinates on a face whose normal, of any length, is `normal` in the coordinates of the mesh.
+    pub(crate) fn of(&self, normal: DVec3) -> UvMap {
+        unit_cube_side(self.turn * normal).after(&self.to_cube)
+    }
+}
+
+/// The coordinates of a side of the cube with sides of length 1 at the origin: u to the right as seen from outside, v upwards. On top and
+/// bottom v = 0 is at the front. The side is the one that looks most along a normal, which may have any length.
+pub(crate) fn unit_cube_side(normal: DVec3) -> UvMap {
+    let (n, a) = (normal, normal.abs());
     let (u, v, from) = if a.y >= a.x && a.y >= a.z {
         match n.y < 0.0 {
             false => (DVec3::X, -DVec3::Z, DVec2::Y),
@@ -238,5 +279,5 @@ fn cube_side(place: &DAffine3, normal: DVec3) -> UvMap {
             true => (-DVec3::X, DVec3::Y, DVec2::X),
         }
     };
-    UvMap { u: u.extend(from.x), v: v.extend(from.y) }.after(place)
+    UvMap { u: u.extend(from.x), v: v.extend(from.y) }
 }

@@ -15,7 +15,7 @@ mod coordinates;
 pub(crate) mod kept;
 mod projections;
 
-pub(crate) use coordinates::{Coordinates, UvSource};
+pub(crate) use coordinates::{Coordinates, CubeSides, UvSource, unit_cube_side};
 pub(crate) use projections::Projections;
 
 /// The number of sets (*Texturing*: 0 to 9).
