@@ -62,6 +62,8 @@ pub struct RuleFacts {
     pub own_template: Option<TemplateNeeds>,
     /// The attributes and constants that the steps of the rule itself read.
     pub own_reads: Reads,
+    /// True if the rule gives its parts equal sizes and looks on all shapes of equal size, apart from the branches of `case` that it takes.
+    pub is_even: bool,
 }
 
 /// Needs of a template, besides the size of its shape, arguments, attributes and constants.

@@ -13,6 +13,7 @@ struct OwnFacts {
     /// The same for a template.
     template: Option<TemplateNeeds>,
     reads: Reads,
+    is_even: bool,
 }
 
 impl Facts {
@@ -36,6 +37,7 @@ impl Facts {
                 rigid: !loose && counters.is_none(),
                 own_template: own.template.filter(|_| uses.counters().is_none()),
                 own_reads: own.reads,
+                is_even: own.is_even,
             })
             .collect();
     }
@@ -51,7 +53,7 @@ impl Facts {
             }
         });
         let (rigid, template) = (locals.but(Uses::COUNTERS).is_rigid(), needs(locals));
-        let mut own = OwnFacts { uses: locals, rigid, template, reads };
+        let mut own = OwnFacts { uses: locals, rigid, template, reads, is_even: is_fixed(locals) };
         walk::steps(&rule.body, &mut |step| {
             let args = walk::targets(step).into_iter().map(|target| match target {
                 Target::Rule { args, .. } => self.exprs(args),
@@ -65,6 +67,8 @@ impl Facts {
                 StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => selected(block, arms),
                 _ => itself,
             };
+            own.is_even &= matches!(step.kind, StepKind::Case { .. })
+                || is_fixed(self.exprs(walk::in_step(step)) | seen);
             let seen = exprs | seen;
             own.rigid &= seen.but(Uses::COUNTERS).is_rigid();
             own.template = own.template.zip(needs(seen)).map(|(own, more)| own | more);
@@ -125,6 +129,11 @@ fn selected(block: &Block, arms: &[Arm<Target>]) -> Uses {
 
 /// The needs of a template whose steps have those uses. `None` if there can be no template.
 fn needs(uses: Uses) -> Option<TemplateNeeds> {
-    let is_fixed = uses.but(Uses::COUNTERS.and(Uses::AXES)).is_rigid();
-    is_fixed.then(|| TemplateNeeds { whole: uses.has(Uses::BODY), axes: uses.has(Uses::AXES) })
+    let is_template = is_fixed(uses.but(Uses::COUNTERS));
+    is_template.then(|| TemplateNeeds { whole: uses.has(Uses::BODY), axes: uses.has(Uses::AXES) })
+}
+
+/// Returns true for uses with the same result at all places with the same axes.
+fn is_fixed(uses: Uses) -> bool {
+    uses.but(Uses::AXES).is_rigid()
 }

@@ -49,6 +49,7 @@ impl RunPlan<'_> {
             && slots.targets.len() <= FEW_SLOTS
             && slots.pattern.len() == slots.targets.len()
             && slots.sizes.iter().all(is_constant)
+            && self.templates(slots, rule).iter().all(Option::is_none)
     }
 
     /// The properties of a part that becomes `target`.

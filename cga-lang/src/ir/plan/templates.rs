@@ -3,6 +3,9 @@
 //! A *template* is made of a repeated part if the result of its rule depends on a few values alone: the size of its shape, the arguments
 //! of its rule, attributes and constants. A call below the part that depends on more, or that requests stack, is a *hole*: each
 //! repetition calls it.
+//!
+//! A part repeats if it is in a group of a split. So does a part of a rule that such parts call each time, on shapes of the same size: a
+//! window of a bay that is drawn. Of those, templates are made if they are meshes, which take longer to make than to find.
 
 use super::rule_stack::RuleStack;
 use crate::ir::facts::{Facts, Reads, TemplateNeeds, closure};
@@ -34,6 +37,8 @@ pub struct TemplateHoles {
     reads: Vec<Reads>,
     /// By rule, the other needs of a template of it.
     needs: Vec<TemplateNeeds>,
+    /// Rules that are called again and again on shapes of the same size, with the same arguments, while no template is made.
+    frequent: HashSet<RuleId>,
 }
 
 impl TemplateHoles {
@@ -53,14 +58,11 @@ impl TemplateHoles {
             rules.map(|rule| (rule.own_reads, rule.own_template.unwrap_or_default())).unzip();
         let (reads, needs) = (closure(&kept_calls, &reads), closure(&kept_calls, &needs));
         let mut found = TemplateHoles { reads, needs, ..TemplateHoles::default() };
+        found.frequent = found.find_frequent(grammar, facts, is_open);
         let mut todo: Vec<RuleId> = Vec::new();
-        for (at, rule) in grammar.rules.iter().enumerate() {
-            walk::steps(&rule.body, &mut |step| {
-                if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
-                    todo.extend(found.roots(slots, RuleId(at as u32), facts, stack).flatten().map(|root| root.rule));
-                }
-            });
-        }
+        each_split(grammar, |rule, slots| {
+            todo.extend(found.roots(slots, rule, facts, stack).flatten().map(|root| root.rule));
+        });
         let mut met: HashSet<RuleId> = HashSet::new();
         while let Some(rule) = todo.pop() {
             if !met.insert(rule) {
@@ -78,6 +80,35 @@ impl TemplateHoles {
         found
     }
 
+    /// Finds the frequent rules: from the parts in groups on, through rules that are even.
+    fn find_frequent(
+        &self,
+        grammar: &Grammar,
+        facts: &Facts,
+        is_open: impl Fn(RuleId, RuleId) -> bool,
+    ) -> HashSet<RuleId> {
+        // Each rule with whether it is called while a template is made.
+        let mut todo: Vec<(RuleId, bool)> = Vec::new();
+        each_split(grammar, |from, slots| {
+            for (target, _) in slots.targets.iter().zip(in_groups(&slots.pattern)).filter(|(_, is_in)| *is_in) {
+                if let Some(rule) = facts.rule(from).is_even.then(|| called_alike(target, facts)).flatten() {
+                    todo.push((rule, !is_open(from, rule)));
+                }
+            }
+        });
+        let mut met: HashSet<(RuleId, bool)> = HashSet::new();
+        while let Some((rule, is_kept)) = todo.pop() {
+            if !met.insert((rule, is_kept)) || !facts.rule(rule).is_even {
+                continue;
+            }
+            walk::steps(&grammar.rules[rule.0 as usize].body, &mut |step| {
+                let called = walk::targets(step).into_iter().filter_map(|target| called_alike(target, facts));
+                todo.extend(called.map(|called| (called, is_kept && !is_open(rule, called))));
+            });
+        }
+        met.into_iter().filter(|(rule, is_kept)| !is_kept && facts.rule(*rule).is_even).map(|(rule, _)| rule).collect()
+    }
+
     /// Returns true if the call may be reached while a template is made, and is left out then.
     pub fn is_hole(&self, from: RuleId, to: RuleId) -> bool {
         self.holes.contains(&(from, to))
@@ -88,7 +119,7 @@ impl TemplateHoles {
         self.left_out.contains(&rule)
     }
 
-    /// By slot, the template: of a rigid rule in a group, without a request of stack, with arguments that equal parts have in common.
+    /// By slot, the template: of a rigid rule that repeats, without a request of stack, with arguments that equal parts have in common.
     pub(super) fn roots(
         &self,
         slots: &Slots,
@@ -97,20 +128,36 @@ impl TemplateHoles {
         stack: &RuleStack,
     ) -> impl Iterator<Item = Option<TemplateRoot>> {
         slots.targets.iter().zip(in_groups(&slots.pattern)).map(move |(target, is_in_group)| {
-            let Target::Rule { rule, args, .. } = target else { return None };
-            let reads = self.reads[rule.0 as usize];
-            let is_template = is_in_group
-                && facts.rule(*rule).own_template.is_some()
-                && stack.request(from, *rule).is_none()
-                && !reads.has(Reads::SHAPE)
-                && args.iter().all(|arg| facts.expr(arg).is_rigid());
+            let rule = called_alike(target, facts)?;
+            let (reads, needs) = (self.reads[rule.0 as usize], self.needs[rule.0 as usize]);
+            let is_template = (is_in_group || (self.frequent.contains(&from) && needs.whole))
+                && facts.rule(rule).own_template.is_some()
+                && stack.request(from, rule).is_none()
+                && !reads.has(Reads::SHAPE);
             is_template.then(|| TemplateRoot {
-                rule: *rule,
+                rule,
                 reads: facts.listed(reads).collect(),
                 is_of_run: reads.has(Reads::RUN),
-                needs: self.needs[rule.0 as usize],
+                needs,
             })
         })
+    }
+}
+
+/// The rule of a successor whose arguments are the same on equal parts.
+fn called_alike(target: &Target, facts: &Facts) -> Option<RuleId> {
+    let Target::Rule { rule, args, .. } = target else { return None };
+    args.iter().all(|arg| facts.expr(arg).is_rigid()).then_some(*rule)
+}
+
+/// Calls `visit` with the rule and the slots of each split.
+fn each_split<'g>(grammar: &'g Grammar, mut visit: impl FnMut(RuleId, &'g Slots)) {
+    for (at, rule) in grammar.rules.iter().enumerate() {
+        walk::steps(&rule.body, &mut |step| {
+            if let StepKind::Block(Block { parts: BlockParts::Slots(slots), .. }) = &step.kind {
+                visit(RuleId(at as u32), slots);
+            }
+        });
     }
 }
 
@@ -192,6 +239,31 @@ mod tests {
         let rules =
             "A --> split(x) { { ~1 : B }* }  B --> C D  C --> 30% : X. else : Y.  D --> split(y) { ~1 : E }  E --> C";
         assert_eq!(templates(rules), (vec!["A: B".to_owned()], vec!["B → C".to_owned(), "E → C".to_owned()]));
+    }
+
+    #[test]
+    fn a_part_of_a_rule_that_is_called_again_and_again_is_a_template_if_it_is_a_mesh() {
+        let rules = |bay: &str| {
+            format!(
+                "A --> split(x) {{ {{ ~1 : Bay }}* }}  Bay --> {bay}
+                Window --> primitiveCylinder(8) X.  Plain --> color(1, 0, 0) X.  Sized(n) --> s(n, 1, 1) Window"
+            )
+        };
+        let roots = |bay: &str| templates(&rules(bay)).0;
+        let of = |roots: &[&str]| roots.iter().map(|root| (*root).to_owned()).collect::<Vec<_>>();
+        let bay = "split(x) { ~1 : Plain | 1 : split(y) { ~1 : Window | 1 : Plain } | 1 : Sized(2) }";
+        assert_eq!(roots(bay), of(&["A: Bay"]));
+        // Bays that are drawn are holes, and so is a part with a drawn argument.
+        let found = of(&["Bay: Bay/1", "Bay: Sized", "Bay/1: Window"]);
+        assert_eq!(roots(&format!("30% : {bay} else : X.")), found);
+        assert_eq!(roots(&bay.replace("1 : Plain }", "1 : Sized(rand(2)) }")), of(&["A: Bay", "Bay/1: Window"]));
+        // The size differs each time, or the look.
+        assert_eq!(roots(&format!("s(rand(1), 1, 1) {bay}")), of(&[]));
+        assert_eq!(roots(&format!("color(rand(1), 0, 0) {bay}")), of(&[]));
+        assert_eq!(roots("split(x) { rand(1) : Window | ~1 : X. }"), of(&[]));
+        // A rule that does not repeat has none.
+        let rules = "A --> split(x) { ~1 : B | 1 : C }  B --> 30% : split(y) { ~1 : C } else : X.  C --> primitiveCylinder(8) X.";
+        assert_eq!(templates(rules), (vec![], vec![]));
     }
 
     #[test]
