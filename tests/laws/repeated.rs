@@ -19,9 +19,14 @@ macro_rules! rows {
             attr depth = rand(0.3, 0.4)
             Size(w, c) --> s(scope.sx * w, scope.sy, 0.2) primitiveCylinder(6) color(c) X.
             Glass --> 50% : color("#ffff00") Lit. else : Dark.
+            // A bay that is drawn is no template, but its parts are.
+            Bay --> 70% : split(x) { ~1 : Wall | 0.6 : split(y) { ~1 : Pane(width) | 0.4 : Pane(0.5) | 0.2 : Wall } } else : Wall
+            Wall --> projectUV(0) Wall.
+            Pane(part) --> [ set(trim.vertical, false) t(0, 0, -0.1) s(^part, ^1, 0.1) primitiveCube() reverseNormals() comp(f) { front : NIL | all : Reveal. } ]
+                offset(-0.1) comp(f) { border : extrude(0.05) Frame. | inside : Dark. }
             $(
                 @StartRule
-                $name --> extrude(4.7) comp(f) { side : split(x) { 0.3 : Edge. | { ~2 : split(y) { { ~1.5 : $($operations)* }* } }* } | top : X. }
+                $name --> setupProjection(0, world.xy, 1.3, 0.7) extrude(4.7) comp(f) { side : split(x) { 0.3 : Edge. | { ~2 : split(y) { { ~1.5 : $($operations)* }* } }* } | top : X. }
             )*
         }
 
@@ -102,6 +107,13 @@ rows! {
     ReportedOn  [ report("parts", "before") Glass report("parts", "after") ];
     Framed      [ s(scope.sx * 0.3, scope.sy * 0.3, 1) center(xy) extrude(0.2) comp(f) { side : s(scope.sx * 1.5, scope.sy * 1.5, 0.1) center(xy) primitiveCube() X. | all : NIL } ];
     Missing     [ i("no/such.obj") X. ];
+    Bays        [ Bay ];
+    Projected   [ s(scope.sx * 0.5, scope.sy * 0.5, 0.2) primitiveCylinder(6) projectUV(0) X. ];
+    Textured    [ projectUV(0) s(scope.sx * 0.5, scope.sy * 0.5, 0.2) extrude(0.1) comp(f) { all : X. } ];
+    Flat        [ [ projectUV(0) X. ] extrude(0.1) comp(f) { front : X. | all : NIL } s(1, 1, 1) primitiveCone(5) X. ];
+    Beyond      [ set(trim.vertical, false) s(scope.sx * 2, scope.sy, 0.5) center(x) primitiveCylinder(8) X. ];
+    BeyondLevel [ set(trim.vertical, false) set(trim.horizontal, true) s(scope.sx, scope.sy * 2, 0.5) center(y) primitiveCylinder(8) X. ];
+    Switched    [ set(trim.horizontal, !trim.horizontal) s(scope.sx, scope.sy * 2, 0.5) center(y) primitiveCylinder(8) X. ];
     Named       [ set(width, 0.3) Size(width, "#00ff00") ];
 }
 
@@ -197,8 +209,8 @@ fn repetitions_share_their_meshes() {
         2 * different <= all
     };
     let alone: Vec<_> = NAMES.iter().filter(|name| !shares(name)).collect();
-    // The first reaches the trim planes, and what has a fault is derived each time.
-    assert_eq!(alone, [&"Reaching", &"Missing"]);
+    // Three reach the trim planes, one reads the projection, and what has a fault is derived each time.
+    assert_eq!(alone, [&"Reaching", &"Missing", &"Textured", &"BeyondLevel", &"Switched"]);
 }
 
 #[test]

@@ -53,8 +53,9 @@ static SHAPE: &[ShapeAttr] = &[
     get("comp.index", "comp_index", Uses::WHOLE),
     get("comp.total", "comp_total", Uses::WHOLE),
     ShapeAttr { kind: TEXT, ..get("comp.sel", "comp_sel", Uses::WHOLE) },
-    both("trim.vertical", "trim_vertical", B),
-    both("trim.horizontal", "trim_horizontal", B),
+    // What is inserted depends on them, and so do templates.
+    using(Uses::BODY, Uses::BODY, both("trim.vertical", "trim_vertical", B)),
+    using(Uses::BODY, Uses::BODY, both("trim.horizontal", "trim_horizontal", B)),
     using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),
     // Old rules distinguish shapes by it; *getTreeKey* replaced it.
     ShapeAttr {

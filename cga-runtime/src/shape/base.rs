@@ -123,8 +123,8 @@ impl Base {
             && own.selector == its.selector
             && matches!((&own.trims, &its.trims), (Trims::None, Trims::None));
         is_alike
-            && !own.state.has_texture_space()
-            && !its.state.has_texture_space()
+            && own.state.coordinates().is_empty()
+            && its.state.coordinates().is_empty()
             && own.state.differs_in_look(&its.state)
     }
 

@@ -13,11 +13,14 @@ use crate::shape::{Geometry, Inserted, Placed, Shape};
 /// `trim()`: cuts the geometry at the shape's trim planes that `trim.vertical` and `trim.horizontal` switch on (*trim
 /// operation*). The shape's pivot decides which switch a plane has. The cuts stay open, and the scope stays.
 pub fn trim(env: &mut Env, shape: &mut Shape) {
+    let (switches, pivot) = (shape.state.trim(), shape.pivot);
+    if !switches.vertical && !switches.horizontal {
+        return;
+    }
     env.reach(&shape.scope);
     if matches!(shape.trims, Trims::None) || !shape.geometry.has_surface() {
         return;
     }
-    let (switches, pivot) = (shape.state.trim(), shape.pivot);
     for plane in &*shape.trims.planes(&pivot) {
         if if plane.is_horizontal(&pivot) { switches.horizontal } else { switches.vertical } {
             cut(shape, plane);
