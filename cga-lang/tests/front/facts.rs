@@ -53,5 +53,6 @@ fn an_import_without_values_is_as_if_its_rules_were_here() {
     let facts = lot(
         "import lib : \"lib.cga\"\nLot --> lib.Wall\n// file: lib.cga\nattr height = rand(1)\nWall --> extrude(height) X.\n",
     );
-    assert_eq!(facts, RuleFacts { rigid: true, own_template: Some(TemplateNeeds::default()), ..RuleFacts::default() });
+    let own_template = Some(TemplateNeeds::default());
+    assert_eq!(facts, RuleFacts { rigid: true, is_even: true, own_template, ..RuleFacts::default() });
 }

@@ -136,7 +136,7 @@ fn steps_use_what_their_rows_say() {
         ("set(material.opacity, 0.5)", " |  | rigid"),
         ("set(material.color.rgb, \"#ff0000\")", " |  | rigid"),
         ("set(material.color.r, 1)", "body | body | rigid"),
-        ("set(trim.vertical, false)", "whole | whole"),
+        ("set(trim.vertical, false)", "body | body | rigid"),
         ("set(material.opacity, material.opacity * 0.5)", "body | body | rigid"),
         ("t(30% : 1 else : 2, 0, 0)", "draws | draws"),
         ("color(listRandom(\"#ff0000;#00ff00\"))", "draws | draws"),
