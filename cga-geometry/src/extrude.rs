@@ -38,7 +38,8 @@ pub enum Extrude {
     FlatTop(DVec3),
 }
 
-/// The volumes on the faces of a mesh, by a distance in metres. Faces without area have no normal and are not extruded along it. A
+/// The volumes on the faces of a mesh, by a distance in metres. Faces without area, or thinner than rounding, have no normal
+/// and are not extruded along it. A
 /// distance or a vector that is not finite leaves the mesh unchanged. So does a distance of zero, except for a flat top.
 /// Points that overflow are infinite, as in [`Mesh::map`]. Empty if the work is to end.
 ///
@@ -57,7 +58,7 @@ pub fn extrude(mesh: &Mesh, along: Extrude, distance: f64) -> Mesh {
     if distance == 0.0 && !matches!(along, Extrude::FlatTop(_)) || !(up * distance).is_finite() {
         return mesh.clone();
     }
-    let Some(normals) = mesh.face_normals_in_time() else { return Mesh::default() };
+    let Some(normals) = mesh.sound_normals_in_time() else { return Mesh::default() };
     let joints = Joints::of(mesh, &normals, along != Extrude::FaceNormal);
     // The displacement of each point, by body or by point.
     let ways: Vec<DVec3> = match along {
@@ -106,7 +107,7 @@ pub fn vertex_normals(mesh: &Mesh) -> Vec<DVec3> {
 /// [`vertex_normals`]. `None` if the work is to end.
 fn vertex_normals_in_time(mesh: &Mesh) -> Option<Vec<DVec3>> {
     let adjacency = mesh.adjacency_in_time()?;
-    let face_normals = mesh.face_normals_in_time()?;
+    let face_normals = mesh.sound_normals_in_time()?;
     let mut average = AverageNormal::default();
     let at_point = |point: usize| {
         let corners = adjacency.at(point).len();
@@ -418,5 +419,31 @@ mod tests {
         b.face(&p, &[], FaceTag::PLAIN).face(&[p[1], p[0], p[3], p[2]], &[], FaceTag::PLAIN);
         let mesh = b.build().unwrap();
         assert!(extrude(&mesh, Extrude::VertexNormal, 1.0).is_empty());
+    }
+
+    #[test]
+    fn a_face_thinner_than_rounding_has_no_normal() {
+        // A square on the ground, and a strip at its right side that stands on edge.
+        let with_strip = |width: Option<f64>| {
+            let mut b = MeshBuilder::new();
+            let p: Vec<u32> = square(9.0).into_iter().map(|p| b.point(p + DVec3::Y * 7.0)).collect();
+            b.face(&p, &[], FaceTag::PLAIN);
+            if let Some(width) = width {
+                let [c, d] = [-2.0, 0.0].map(|z| b.point([11.0, 7.0 + width, z]));
+                b.face(&[p[1], p[2], c, d], &[], FaceTag::PLAIN);
+            }
+            b.build().unwrap()
+        };
+        let ground = with_strip(None);
+        for width in [2e-14, -2e-14] {
+            let both = with_strip(Some(width));
+            let [alone, made] = [&ground, &both].map(|mesh| extrude(mesh, Extrude::FaceNormal, 2.0));
+            assert_eq!((made.face_count(), made.volume()), (alone.face_count(), alone.volume()), "{width}");
+            assert_eq!(vertex_normals(&both)[..4], [DVec3::Y; 4], "{width}");
+        }
+        // As wide as a hair it is a face.
+        let hair = with_strip(Some(1e-4));
+        assert_eq!(extrude(&hair, Extrude::FaceNormal, 2.0).face_count(), 12);
+        assert_ne!(vertex_normals(&hair)[1], DVec3::Y);
     }
 }

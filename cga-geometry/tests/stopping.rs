@@ -24,8 +24,13 @@ fn run(operation: &dyn Fn(&Mesh) -> Mesh, sphere: &Mesh, most: u32) -> (usize, u
 #[test]
 fn operations_on_many_faces_ask_and_end() {
     let (sphere, cube) = (primitive::sphere(200, 100), primitive::cube());
-    let along =
-        AlongUv { set: 0, height: 1.0, direction: HeightDirection::ScopeY, alignment: HeightAlignment::AlignPosition };
+    let along = AlongUv {
+        set: 0,
+        height: 1.0,
+        direction: HeightDirection::ScopeY,
+        alignment: HeightAlignment::AlignPosition,
+        rounding: 0.0,
+    };
     let operations: [&dyn Fn(&Mesh) -> Mesh; 4] = [
         &|mesh| extrude(mesh, Extrude::FaceNormal, 0.1),
         &|mesh| extrude(mesh, Extrude::VertexNormal, 0.1),

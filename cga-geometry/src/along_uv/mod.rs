@@ -53,6 +53,9 @@ pub struct AlongUv {
     pub direction: HeightDirection,
     /// The position of height 0.
     pub alignment: HeightAlignment,
+    /// The rounding errors of the carrier's positions, in metres, for coordinates that were computed from positions. A copy ends at a
+    /// whole number that is not farther away on the surface.
+    pub rounding: f64,
 }
 
 /// Puts the asset on the triangles and quads of a carrier, both in metres. Faces with more corners, with holes, or

@@ -212,13 +212,16 @@ impl Patches {
             HeightDirection::ScopeY => Vec::new(),
             HeightDirection::VertexNormal => vertex_normals(carrier),
         };
+        let Some(near) = rounding(carrier, uvs, options.rounding) else { return patches };
         let corner = |corner: u32| {
             let number = carrier.corners[corner as usize];
             let up = match options.direction {
                 HeightDirection::ScopeY => DVec3::Y,
                 HeightDirection::VertexNormal => normals[number as usize],
             };
-            PatchCorner { uv: uvs[corner as usize].map(on_whole), point: carrier.points[number as usize], up, number }
+            let (uv, near) = (uvs[corner as usize], near[number as usize]);
+            let uv = DVec2::new(on_whole(uv.x, near.x), on_whole(uv.y, near.y));
+            PatchCorner { uv, point: carrier.points[number as usize], up, number }
         };
         let (mut triangulator, mut triangles) = (Triangulator::new(), Vec::new());
         for face in carrier.faces().filter(|face| matches!(face.corner_count(), 3 | 4)) {
@@ -267,11 +270,31 @@ fn key(patch: &UvPatch, edge: usize) -> [EdgeEnd; 2] {
     [a.min(b), a.max(b)]
 }
 
+/// For each point the change of its coordinates by the rounding errors of its position: their steepest change along the edges there, in
+/// all faces, so that faces agree. `None` if the work is to end.
+fn rounding(carrier: &Mesh, uvs: &[DVec2], rounding: f64) -> Option<Vec<DVec2>> {
+    let mut most = vec![DVec2::ZERO; carrier.points.len()];
+    for face in carrier.faces() {
+        if !work::spend(face.corner_count()) {
+            return None;
+        }
+        for ends in face.edges() {
+            let [a, b] = ends.each(|corner| carrier.corners[corner] as usize);
+            let metres = carrier.points[a].distance(carrier.points[b]);
+            let by = (uvs[ends[0]] - uvs[ends[1]]).abs() * (rounding / metres);
+            if metres > 0.0 && by.is_finite() {
+                [a, b].each(|end| most[end] = most[end].max(by));
+            }
+        }
+    }
+    Some(most)
+}
+
 /// A coordinate that is a whole number except for rounding as that number: else a copy that ends there would lose its end, or the
-/// next one would begin.
-fn on_whole(coordinate: f64) -> f64 {
+/// next one would begin. `near` is the rounding of its position.
+fn on_whole(coordinate: f64, near: f64) -> f64 {
     let whole = coordinate.round();
-    let is_near = (coordinate - whole).abs() <= WHOLE_EPSILON * whole.abs().max(1.0);
+    let is_near = (coordinate - whole).abs() <= near.max(WHOLE_EPSILON * whole.abs().max(1.0));
     (if is_near { whole } else { coordinate }) + 0.0
 }
 

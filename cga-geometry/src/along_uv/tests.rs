@@ -5,8 +5,13 @@ use glam::{DAffine3, DVec2};
 use super::*;
 use crate::primitive;
 
-const UP: AlongUv =
-    AlongUv { set: 0, height: 3.0, direction: HeightDirection::ScopeY, alignment: HeightAlignment::AlignPosition };
+const UP: AlongUv = AlongUv {
+    set: 0,
+    height: 3.0,
+    direction: HeightDirection::ScopeY,
+    alignment: HeightAlignment::AlignPosition,
+    rounding: 0.0,
+};
 
 const MOST: usize = 1 << 20;
 

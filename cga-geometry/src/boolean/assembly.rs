@@ -11,7 +11,6 @@ use super::polygon::{PolygonCorner, ResultPolygon, ResultPolygons};
 use super::progress::goes_on;
 use crate::derive::{CornerValues, Derivation, FaceOrigin, Mix, PointOrigin};
 use crate::each::Each;
-use crate::long_sort::long_sort_by;
 use crate::mesh::{Mesh, TagSet, flip};
 use crate::small_sort::SmallSort;
 use crate::triangulate::Triangulator;
@@ -33,15 +32,9 @@ pub(super) struct Assembly<'a> {
 impl Assembly<'_> {
     /// The mesh of the result.
     pub(super) fn mesh_of(&self, polygons: &ResultPolygons<'_>) -> Result<Mesh, BooleanError> {
-        // Points keep their order; new points come last.
-        let corners = polygons.iter().flat_map(|polygon| polygon.rings.corners);
-        let mut used: Vec<u32> = corners.map(|corner| corner.point).collect();
-        let mut made = Derivation::new(self.mesh, CornerValues::All, used.len()).without_trace();
-        if !long_sort_by(&mut used, Ord::cmp) {
-            return Err(BooleanError::TooMany);
-        }
-        used.dedup();
-        used.iter().for_each(|point| _ = made.point(self.places[*point as usize] + 0.0, PointOrigin::New));
+        let corners = polygons.iter().map(|polygon| polygon.rings.corners.len()).sum();
+        let mut made = Derivation::new(self.mesh, CornerValues::All, corners).without_trace();
+        let numbers = self.numbers(polygons, &mut made)?;
         let mut triangulator = Triangulator::new();
         let mut values: Option<FaceValues> = None;
         // The facet of the last polygon, and its corners of the mesh by their points.
@@ -72,28 +65,52 @@ impl Assembly<'_> {
                     flip(&mut corners);
                 }
                 for (point, shares) in corners {
-                    let number = used.binary_search(&point).unwrap_or_default() as u32;
                     let mix = if shares[0].1 == 1.0 { Mix::One(shares[0].0) } else { Mix::Three(shares) };
-                    made.corner(number, &mix, polygon.is_turned);
+                    made.corner(numbers[point as usize], &mix, polygon.is_turned);
                 }
                 made.end_loop();
             }
             let origin = FaceOrigin::piece(&self.mesh.face(facet.face as usize));
             made.end_tagged_face(origin, &self.tags(&polygon));
         }
-        self.tag_components(&mut made, polygons, &used)?;
-        goes_on(used.len())?;
+        self.tag_components(&mut made, polygons, &numbers)?;
+        goes_on(made.point_count())?;
         Ok(made.finish())
     }
 
-    /// Gives edges and vertices their tags. `used` are the points of the result.
+    /// Adds the points of the result. Returns the number of each, [`NO_CORNER`] for a point that is not in the result.
+    ///
+    /// Points of the operands keep their order. New points come last, in the order of the polygons: their own order follows
+    /// coordinates, and so rounding errors.
+    fn numbers(&self, polygons: &ResultPolygons<'_>, made: &mut Derivation<'_>) -> Result<Vec<u32>, BooleanError> {
+        const IN_RESULT: u32 = NO_CORNER - 1;
+        let (mut numbers, old) = (vec![NO_CORNER; self.places.len()], self.mesh.points().len());
+        let mut add = |point: usize| made.point(self.places[point] + 0.0, PointOrigin::New);
+        for polygon in polygons.iter() {
+            goes_on(polygon.rings.corners.len())?;
+            polygon.rings.corners.iter().for_each(|corner| numbers[corner.point as usize] = IN_RESULT);
+        }
+        for (point, number) in numbers.iter_mut().enumerate().take(old).filter(|(_, number)| **number == IN_RESULT) {
+            *number = add(point);
+        }
+        for polygon in polygons.iter() {
+            for point in polygon.rings.corners.iter().map(|corner| corner.point as usize) {
+                if numbers[point] == IN_RESULT {
+                    numbers[point] = add(point);
+                }
+            }
+        }
+        Ok(numbers)
+    }
+
+    /// Gives edges and vertices their tags. `numbers` has the number of each point in the result.
     fn tag_components(
         &self,
         made: &mut Derivation<'_>,
         polygons: &ResultPolygons<'_>,
-        used: &[u32],
+        numbers: &[u32],
     ) -> Result<(), BooleanError> {
-        let number = |point: u32| used.binary_search(&point).ok().map(|number| number as u32);
+        let number = |point: u32| numbers.get(point as usize).copied().filter(|number| *number != NO_CORNER);
         for ring in polygons.iter().flat_map(|polygon| polygon.rings.iter()) {
             goes_on(ring.len())?;
             for (corner, next) in ring.iter().zip(ring.iter().cycle().skip(1)) {

@@ -30,13 +30,28 @@ impl FaceRef<'_> {
         let x = unit(first - normal * first.dot(normal));
         Some([x, normal.cross(x)])
     }
+
+    /// Returns true if the face is thinner than the rounding errors of its coordinates: then its normal means nothing.
+    pub(crate) fn is_thin(&self) -> bool {
+        let range = self.corner_range();
+        let origin = self.position(range.start);
+        let [mut extent, mut largest] = [0.0f64; 2];
+        for corner in range {
+            let position = self.position(corner);
+            extent = extent.max((position - origin).abs().max_element());
+            largest = largest.max(position.abs().max_element());
+        }
+        let place = |corner: usize| (self.position(corner) - origin) / extent;
+        let double_area: DVec3 = self.edges().map(|[a, b]| place(a).cross(place(b))).sum();
+        double_area.length() <= THIN_EPSILON * (largest.max(extent) / extent)
+    }
 }
 
 impl<'a> FlatFace<'a> {
     /// The face; `None` if it has no area, or is thinner than the rounding errors of its coordinates: then its normal means nothing.
     pub(crate) fn of(face: &FaceRef<'a>) -> Option<Self> {
         let (normal, range) = (face.normal(), face.corner_range());
-        if normal == DVec3::ZERO {
+        if normal == DVec3::ZERO || face.is_thin() {
             return None;
         }
         let origin = face.position(range.start);
@@ -61,22 +76,11 @@ impl<'a> FlatFace<'a> {
             }
             plane.corners.push(number);
         }
-        if plane.is_thin(extent) {
-            return None;
-        }
         // Deviations by rounding errors count as in the plane.
         if plane.heights.iter().all(|height| height.abs() <= PLANAR_EPSILON * extent) {
             plane.heights.fill(0.0);
         }
         Some(plane)
-    }
-
-    /// Returns true if the face, with this extent, is thinner than the rounding errors of its coordinates.
-    fn is_thin(&self, extent: f64) -> bool {
-        let place = |corner: usize| self.flat[self.corners[corner - self.face.corner_range().start] as usize] / extent;
-        let double_area: f64 = self.face.edges().map(|[a, b]| place(a).perp_dot(place(b))).sum();
-        let positions = self.face.corner_range().map(|corner| self.face.position(corner).abs().max_element());
-        double_area.abs() <= THIN_EPSILON * (positions.fold(extent, f64::max) / extent)
     }
 
     /// The edges of the face in the order in which they are swept, with their corners counted from the first one of the

@@ -68,6 +68,13 @@ impl Mesh {
         self.faces().map(normal).collect()
     }
 
+    /// The unit normals of all faces, for algorithms that move along them: zero for faces thinner than rounding, whose normals mean
+    /// nothing. `None` if the work is to end.
+    pub(crate) fn sound_normals_in_time(&self) -> Option<Vec<DVec3>> {
+        let normal = |face: FaceRef<'_>| if face.is_thin() { DVec3::ZERO } else { face.normal() };
+        self.faces().map(|face| work::spend(NORMAL * face.corner_count()).then(|| normal(face))).collect()
+    }
+
     /// The area of all faces, in square metres.
     pub fn area(&self) -> f64 {
         // The empty sum is −0.

@@ -48,3 +48,44 @@ pub fn set_back(
 pub fn stay(face: &FaceRef<'_>, tags_kinds: bool, made: &mut Derivation<'_>) {
     Sides::of(face, tags_kinds).copy(made);
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+
+    use super::*;
+    use crate::derive::CornerValues;
+    use crate::mesh::Mesh;
+
+    /// The areas of the parts of a lot with a step of `step` in a side, whose edges on both sides of the step are set back.
+    fn parts(step: f64, distance: f64, turn: f64, at: DVec3) -> (Vec<usize>, Vec<f64>) {
+        let turned = DMat3::from_rotation_y(turn);
+        let corners = [(0.0, 0.0), (1.0 - step, 0.0), (1.0 - step, -1.0), (1.0, -1.0), (1.0, -2.5), (0.0, -2.5)];
+        let corners = corners.map(|(x, z)| turned * DVec3::new(x, 0.0, z) + at);
+        let lot = Mesh::from_polygon(&corners, &[]).expect("an outline");
+        let mut made = Derivation::new(&lot, CornerValues::All, 0);
+        let counts = set_back(&lot.face(0), &[], &[&[0.0, distance, 0.0, distance]], false, &mut made).expect("parts");
+        let made = made.finish();
+        assert_eq!(made.check(), []);
+        (counts, made.faces().map(|face| face.area()).collect())
+    }
+
+    #[test]
+    fn parts_that_meet_in_a_corner_are_apart_whatever_rounding_says() {
+        // An edge moves to the line of the next one, up to its corner. No rounding joins what both sweep.
+        for number in 0..2_000 {
+            let number = f64::from(number);
+            let step = 0.0713 + 0.000_1 * number;
+            let at = DVec3::new(11.7 * number, 0.0, -1.3 * number);
+            let distance = [step, step.next_up(), step.next_down(), 1.0 - (1.0 - step)][number as usize % 4];
+            let (counts, areas) = parts(step, distance, 0.37 * number, at);
+            assert_eq!(counts, [2, 1], "{step} by {distance}");
+            let expected = [distance, 1.5 * distance, 2.5 - 1.0 * step - 2.5 * distance];
+            let is_near = areas.iter().zip(expected).all(|(area, expected)| (area - expected).abs() < 1e-9);
+            assert!(is_near, "{step} by {distance}: {areas:?}, not {expected:?}");
+        }
+        // Farther, both are one part; less far, there is a gap.
+        assert_eq!(parts(0.1, 0.101, 0.3, DVec3::ZERO).0, [1, 1]);
+        assert_eq!(parts(0.1, 0.099, 0.3, DVec3::ZERO).0, [2, 1]);
+    }
+}

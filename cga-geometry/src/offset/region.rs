@@ -10,11 +10,13 @@ use glam::DVec2;
 
 use super::sides::{SideKind, SideOrigin, SideOrigins};
 use super::{OffsetError, relief};
+use crate::disjoint::DisjointSets;
 use crate::each::Each;
 use crate::mesh::FlatFace;
 use crate::nesting::contour::Contour;
 use crate::skeleton::{self, SkeletonError, Swept};
 use crate::small_sort::SmallSort;
+use crate::tol::MEETING_EPSILONS;
 
 /// The piece of a side that is on no edge of the face.
 const NONE: usize = usize::MAX;
@@ -111,7 +113,7 @@ impl FaceRegion {
             let edge = old.get(edge).and_then(|side| self.edges.get(side.piece)).copied();
             origins.insert(side, SideOrigin { kind, edge });
         };
-        let taken = taken(&rings, &swept, &distances, rank, origin)?;
+        let taken = taken(&rings, &mut swept, &distances, rank, origin)?;
         self.heights = relief::heights(&self.heights, &rings, &swept);
         let side = |left: &skeleton::FrontCorner| {
             let edge = left.edge as usize;
@@ -149,7 +151,7 @@ impl FaceRegion {
 /// its kind. An error if a loop does not close.
 fn taken(
     rings: &[Vec<u32>],
-    swept: &Swept,
+    swept: &mut Swept,
     distances: &[f64],
     rank: impl Fn(usize) -> usize,
     mut origin: impl FnMut([u32; 2], usize, SideKind),
@@ -165,6 +167,7 @@ fn taken(
             lines[edge].push(side);
         }
     }
+    weld(&mut lines, swept);
     let (mut ranks, mut all) = (BTreeMap::new(), Vec::new());
     for (edge, sides) in lines.iter().enumerate() {
         let is_moved = distances.get(edge).is_some_and(|distance| 0.0 < *distance);
@@ -187,6 +190,7 @@ fn taken(
         }
     }
     // Nearly parallel lines may have the same side, or opposite ones. Each side counts, so that all loops close.
+    all.retain(|[from, to]| from != to);
     all.small_sort();
     let (mut contour, mut closes) = (Contour::default(), true);
     contour.follow(&all, &swept.points, |_| closes = false);
@@ -204,16 +208,44 @@ fn taken(
     Ok(loops)
 }
 
-/// The sides of one line, without the parts where two sides of opposite directions cover each other. Parts that several sides
-/// cover are returned once for each.
-fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
+/// Gives neighbours on a line that are at one place, except for rounding, that place and one number. So parts that meet in a corner are
+/// apart there: by their last bits they could overlap, and be one part.
+fn weld(lines: &mut [Vec<[u32; 2]>], swept: &mut Swept) {
+    let extent = swept.points.iter().fold(0.0, |extent: f64, point| extent.max(point.abs().max_element()));
+    let near = MEETING_EPSILONS[0] * extent;
+    let mut same = DisjointSets::new(swept.points.len());
+    let mut points: Vec<u32> = Vec::new();
+    for sides in lines.iter().filter(|sides| 1 < sides.len()) {
+        points.clear();
+        points.extend(sides.iter().flatten());
+        sort_along(&mut points, sides[0], swept);
+        for pair in points.windows(2) {
+            let [a, b] = [pair[0], pair[1]].each(|point| swept.points[point as usize]);
+            if a.distance(b) <= near {
+                same.unite(pair[0], pair[1]);
+            }
+        }
+    }
+    same.flatten();
+    (0..swept.points.len()).for_each(|point| swept.points[point] = swept.points[same.find(point as u32) as usize]);
+    lines.iter_mut().flatten().for_each(|side| *side = side.each(|point| same.find(point)));
+}
+
+/// Sorts the points of a line in the direction of a side, each once.
+fn sort_along(points: &mut Vec<u32>, [from, to]: [u32; 2], swept: &Swept) {
     let at = |point: u32| swept.points[point as usize];
-    let Some(&[from, to]) = sides.first() else { return Vec::new() };
     let along = at(to) - at(from);
-    let mut points: Vec<u32> = sides.iter().flatten().copied().collect();
     points.small_sort();
     points.dedup();
     points.small_sort_by(|&a, &b| along.dot(at(a)).total_cmp(&along.dot(at(b))));
+}
+
+/// The sides of one line, without the parts where two sides of opposite directions cover each other. Parts that several sides
+/// cover are returned once for each.
+fn apart(sides: &[[u32; 2]], swept: &Swept) -> Vec<[u32; 2]> {
+    let Some(&first) = sides.first() else { return Vec::new() };
+    let mut points: Vec<u32> = sides.iter().flatten().copied().collect();
+    sort_along(&mut points, first, swept);
     let place = |point: u32| points.iter().position(|&other| other == point).unwrap_or(0);
     // For each gap between neighbours the sides ahead less the sides back.
     let mut cover = vec![0i32; points.len()];

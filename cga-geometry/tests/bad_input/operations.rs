@@ -134,6 +134,7 @@ fn operations_with_a_number() {
                     height: number,
                     direction: HeightDirection::VertexNormal,
                     alignment: HeightAlignment::AlignPosition,
+                    rounding: number,
                 };
                 insert_along_uv(&mesh, &primitive::cube(), &options, 1000)
                     .into_iter()

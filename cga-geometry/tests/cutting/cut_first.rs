@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::cut_support::{even, own};
 use cga_geometry::Axis;
 use cga_geometry::cut::{self, Plane};
-use cga_geometry::glam::{DVec2, DVec3};
+use cga_geometry::glam::{DAffine3, DVec2, DVec3};
+use cga_geometry::mesh::join::join;
 use cga_geometry::mesh::{FaceTag, Mesh, MeshBuilder};
 
 /// An L with a courtyard, seen from above: counter-clockwise, then the hole clockwise.
@@ -122,6 +123,22 @@ fn slices_away_from_the_first_wall_begin_with_their_cap() {
     let plane = Plane { point: DVec3::new(4.5, 0.0, 0.0), normal: DVec3::X };
     let halves = cut::halves(&mesh, &plane, 0.0);
     halves.parts.iter().flatten().for_each(|half| begins_alike(half, &mesh, "half"));
+}
+
+#[test]
+fn a_cap_begins_alike_whatever_other_planes_there_are() {
+    // A tower beside the building, which a second plane cuts: the part before it, and its cap, are the same.
+    let house = building(First::Side(1), 0, false);
+    let tower = cga_geometry::primitive::cube().map(&DAffine3::from_translation(DVec3::X * 20.0));
+    let [both, house] = [Arc::new(join([&*house, &tower].into_iter())), house];
+    for plane in [0.5, 2.0, 4.5] {
+        let alone = cut::slabs(&house, Axis::X, &[plane]);
+        for more in [vec![plane], vec![plane, 12.0], vec![plane, 20.5], vec![-1.0, plane, 15.0, 20.2, 20.4]] {
+            let low = usize::from(more[0] < 0.0);
+            let parts = cut::slabs(&both, Axis::X, &more).parts;
+            assert_eq!(parts[low].as_ref().unwrap().corners(), alone.parts[0].as_ref().unwrap().corners(), "{more:?}");
+        }
+    }
 }
 
 #[test]

@@ -57,6 +57,7 @@ fn soups_of_polygons_are_cut() {
             height: number(&mut rng, 2) - 1.0,
             direction: [HeightDirection::ScopeY, HeightDirection::VertexNormal][rng.below(2)],
             alignment: HeightAlignment::AlignPosition,
+            rounding: 1e-15 * rng.below(2) as f64,
         };
         if round % 8 == 0 {
             let made = insert_along_uv(&mesh, &primitive::sphere(5, 4), &options, 1 << 20).unwrap();

@@ -119,3 +119,21 @@ fn results_fit_together_again() {
         equal(Union, &made.common, &made.union, &made.union, "the common part with both");
     }
 }
+
+#[test]
+fn new_points_have_numbers_in_the_order_of_the_faces() {
+    // The order in which crossings are found follows their coordinates, and so their rounding errors.
+    let turned = DAffine3::from_axis_angle(DVec3::new(0.6, 0.8, 0.0), 0.7);
+    let [a, b] = [block([0.0; 3], [4.0; 3]), block([1.0; 3], [5.0, 6.0, 3.0]).map(&turned)];
+    for op in [Union, Intersect, Subtract] {
+        let made = combined(op, &a, &b).expect("a solid");
+        let is_old = |point: &DVec3| a.points().contains(point) || b.points().contains(point);
+        let old = made.points().iter().take_while(|point| is_old(point)).count();
+        let mut next = old;
+        for point in made.corners().iter().map(|&point| point as usize).filter(|point| old <= *point) {
+            assert!(point <= next, "{op:?}: {point} before {next}");
+            next = next.max(point + 1);
+        }
+        assert!(next == made.points().len() && old + 5 < next, "{op:?}");
+    }
+}

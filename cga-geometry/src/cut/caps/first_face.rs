@@ -19,7 +19,7 @@ use crate::triangulate::PlaneProjection;
 #[derive(Default)]
 pub(crate) struct Lead {
     slabs: Range<u32>,
-    /// The edges of the wall in the planes: the plane, and the numbers of the points there, the lower first. Sorted.
+    /// The edges of the wall in the planes that do not cut the first face: the plane, and the numbers of the points there, the lower first. Sorted.
     wall: Vec<(u32, [u32; 2])>,
     nodes: Vec<PieceCorner>,
 }
@@ -48,7 +48,9 @@ impl Lead {
         }
         let points = &state.points;
         let wall = Wall::of(mesh, wall);
-        self.nodes.retain(|node| node.class().is_on_plane());
+        // Between two pieces of the first face no cap comes first, so none has to begin at the wall.
+        let between = self.slabs.start..self.slabs.end - 1;
+        self.nodes.retain(|node| node.class().is_on_plane() && !between.contains(&node.class().plane()));
         self.nodes.small_sort_by_key(PieceCorner::class);
         self.nodes.dedup_by_key(|node| node.place);
         let mut left = QUESTIONS;

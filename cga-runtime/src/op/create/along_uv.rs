@@ -6,6 +6,7 @@ use crate::asset::{CUBES, File};
 use crate::fault::FaultKind;
 use crate::geometry::along_uv::{AlongUv, HeightAlignment, HeightDirection, insert_along_uv as bend};
 use crate::geometry::primitive;
+use crate::geometry::tol::ROUNDING_EPSILON;
 use crate::op::create::insert::asset;
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -40,7 +41,9 @@ pub fn insert_along_uv_with(
         return env.fault(FaultKind::Geometry, message);
     }
     let most = env.corners_left(1);
-    let options = AlongUv { set: usize::from(set), height, direction, alignment };
+    // Functions from points of the world make coordinates, so these have the rounding errors of the world.
+    let reach = shape.scope.origin.abs().max_element() + shape.scope.size.length();
+    let options = AlongUv { set: usize::from(set), height, direction, alignment, rounding: ROUNDING_EPSILON * reach };
     let Ok(bent) = bend(&carrier, &asset, &options, most) else {
         let _ = env.too_many_corners::<()>(1);
         return;

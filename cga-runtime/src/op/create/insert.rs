@@ -40,7 +40,7 @@ pub enum InsertMode {
 /// The clean-up of an asset. On import equal points become one and repeated corners go in any case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CleanupMode {
-    /// Very short edges go: the ends of an edge below 1 mm in the file become one.
+    /// Very short edges go: the ends of an edge below 1 mm in the file become one. Panes and wires that thin stay as they are.
     NumericalCleanup,
     /// Nothing else changes.
     NoCleanup,
