@@ -33,6 +33,7 @@ mod primitive;
 mod property_table;
 mod quantized;
 mod scene;
+mod shared_images;
 mod single_sided;
 mod streams;
 mod textures;
@@ -52,6 +53,7 @@ use self::primitive::{
     BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, QUANTIZED_BYTES, RULE_BYTES, UV_BYTES, VERTEX_BYTES,
 };
 use self::scene::{Division, MeshPlacement, SceneMesh};
+use self::shared_images::SharedImages;
 use self::single_sided::SingleSided;
 use super::error::WriteError;
 use super::flatten::{Flattener, has_one_material};
@@ -90,6 +92,8 @@ pub struct Glb {
     /// The assets that contain the images.
     files: Option<Arc<Assets>>,
     references_images: bool,
+    /// The addresses of images that several files share, if they are wanted.
+    shared_images: Option<SharedImages>,
     name: Option<String>,
     division: Division,
     /// The single-sided materials of closed leaves, if they are wanted.

@@ -69,7 +69,8 @@ struct SmallNumbers {
 pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Container<'a>, WriteError> {
     let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
-    let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
+    let images =
+        Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images, glb.shared_images.as_ref());
     let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule && !glb.has_no_rules);
     let buildings = Some(&glb.rows[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
     let grid = glb.grid(meshes)?;
