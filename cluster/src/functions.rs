@@ -260,7 +260,7 @@ fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
         // Positions are in metres around the first polygon.
         let made = footprints.first().and_then(|first| {
             let (frame, level) = (Frame::at(first.middle()), &work.levels[0]);
-            threads.install(|| content(&footprints, &frame, &level.rules, level.accuracy(), u64::MAX))
+            threads.install(|| content(&footprints, None, &frame, &level.rules, level.accuracy(), u64::MAX, false))
         });
         let glb = made.and_then(|made| {
             why.extend(made.problems.into_iter().map(|problem| problem.reason));

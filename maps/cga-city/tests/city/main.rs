@@ -3,7 +3,9 @@
 mod formats;
 mod glb;
 mod hostile;
+mod images;
 mod levels;
+mod neighbours;
 mod resumed;
 mod town;
 mod validator;
