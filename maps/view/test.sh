@@ -9,5 +9,13 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 command=$PWD/../target/release/cga-city
 "$command" outlines "$folder/town.fgb" --rows 6000
-"$command" "$folder/town.fgb" --rules ../cga-city/rules/town.cga --out "$folder/tiles" --lod Block --tile-lots 64 --quiet
-CHROMIUM=$(command -v chromium) node test.mjs "$command" "$folder/tiles"
+city() { "$command" "$folder/town.fgb" --lod Block --tile-lots 64 --quiet "$@"; }
+show() { CHROMIUM=$(command -v chromium) node test.mjs "$command" "$@"; }
+city --rules ../cga-city/rules/town.cga --out "$folder/tiles"
+show "$folder/tiles"
+# The same with images that tiles share, and far tiles without normals.
+sed 's/ extrude(height) comp(f) { side : Wall/ extrude(height) comp(f) { side : setupProjection(0, scope.xy, 2, 2) texture("bricks.png") projectUV(0) Wall/' \
+    ../cga-city/rules/town.cga >"$folder/bricks.cga"
+grep -q bricks.png "$folder/bricks.cga"
+city --rules "$folder/bricks.cga" --assets ../../docs/guide/assets --plain-far --out "$folder/bricks"
+show "$folder/bricks" 1

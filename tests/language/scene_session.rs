@@ -9,7 +9,8 @@ cga! {
         attr height = 10
         @StartRule Lot --> extrude(height) comp(f) { side : Facade | top : Roof. }
         Facade --> case touches(inter) : Wall. else : Window.
-        @StartRule Endless --> Endless
+        @StartRule Broken --> Endless(1)
+        Endless(n) --> case n < 0 : X. else : Endless(n + 1)
     "#;
 }
 
@@ -23,7 +24,7 @@ fn models_equal_the_models_of_the_scene_in_any_order() {
     for at in (0..lots.len()).rev().step_by(2) {
         let mut model = Model::new();
         let report = session.run(at, &mut model).expect("a model");
-        assert_eq!(model.with_report(report), expected[at]);
+        assert!(model.leaves().eq(expected[at].leaves()) && report.faults() == expected[at].faults());
     }
     assert!(matches!(session.run(lots.len(), &mut Model::new()), Err(Error::Shape(_))));
 }
@@ -31,7 +32,7 @@ fn models_equal_the_models_of_the_scene_in_any_order() {
 #[test]
 fn a_neighbour_that_fails_takes_no_other_with_it() {
     let lot = |at: u32| Shape::rectangle(10.0, 10.0).at([f64::from(at) * 10.0, 0.0, 0.0]);
-    let lots = [lot(0), lot(1).start("Endless"), lot(2), lot(3)];
+    let lots = [lot(0), lot(1).start("Broken"), lot(2), lot(3)];
     let grammars = Grammars::new().with(Houses::default());
     let scene = Scene::of_grammars(&grammars, &lots);
     let mut session = scene.session(&Settings::default()).expect("a session");

@@ -36,6 +36,8 @@ pub struct Options {
     pub jobs: Option<usize>,
     /// True for tiles that share their images: each is a file of its own, however many tiles show it.
     pub shares_images: bool,
+    /// True for far tiles without normals, which are smaller. Some viewers show them without light and shade.
+    pub plain_far: bool,
     /// The distances up to which rules find other lots; `None` for rules that find no others.
     pub neighbours: Option<Distances>,
 }
@@ -48,6 +50,7 @@ impl Default for Options {
             most_bytes: 4 << 20,
             jobs: None,
             shares_images: true,
+            plain_far: false,
             neighbours: Some(Distances::default()),
         }
     }
@@ -286,8 +289,9 @@ impl Options {
         let near = Level { error: Some(0.0), ..Level::default() };
         let mut lots = self.lots_per_tile.max(1);
         let mut error = LEVEL_ERROR.0;
-        let Options { neighbours, shares_images, .. } = *self;
-        let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0, neighbours, shares_images }];
+        let Options { neighbours, shares_images, plain_far, .. } = *self;
+        let mut levels =
+            vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0, neighbours, shares_images, has_normals: true }];
         for (number, level) in self.levels.iter().enumerate() {
             let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
             if self.levels[..number].iter().any(is_same) {
@@ -303,7 +307,7 @@ impl Options {
                 ));
             }
             let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
-            levels.push(TreeLevel { rules, lots, error, neighbours, shares_images });
+            levels.push(TreeLevel { rules, lots, error, neighbours, shares_images, has_normals: !plain_far });
             error *= LEVEL_ERROR.1;
         }
         Ok(levels)

@@ -32,6 +32,7 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
         most_bytes: options.tile_size.saturating_mul(1 << 10),
         jobs: options.jobs.map(|jobs| jobs as usize),
         shares_images: !options.embed_images,
+        plain_far: options.plain_far,
         neighbours: Some(Distances { occlusion: options.occlusion_distance, context: options.context_distance }),
     };
     // Wrong levels are reported before a file is read.

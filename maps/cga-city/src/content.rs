@@ -43,22 +43,37 @@ pub struct LotProblem {
     pub reason: String,
 }
 
-/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided. Positions
-/// move by at most `accuracy` metres, which makes the file smaller unless the tile is too wide for that.
+/// The form of the files of tiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Form {
+    /// The metres by which positions may move, which makes files smaller unless a tile is too wide for that.
+    pub accuracy: f64,
+    /// The most bytes of a file with several lots.
+    pub most_bytes: u64,
+    /// True for images in files of their own, which tiles share.
+    pub shares_images: bool,
+    /// False for files without normals, whose faces share corners.
+    pub has_normals: bool,
+}
+
+/// Makes the contents of a tile. `None` if the file has more bytes than its form allows and more than one lot: then its lots are divided.
 ///
-/// With `around`, the rules of the lots find each other and the lots around the tile, which have no building in it. With `shares_images`,
-/// images are not in the file.
+/// With `around`, the rules of the lots find each other and the lots around the tile, which have no building in it.
 pub fn content(
     lots: &[Footprint],
     around: Option<&Surroundings>,
     frame: &Frame,
     rules: &LevelRules,
-    accuracy: f64,
-    most_bytes: u64,
-    shares_images: bool,
+    form: Form,
 ) -> Option<Content> {
     let glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let Form { accuracy, most_bytes, shares_images, has_normals } = form;
     let mut glb = glb.with_quantization(accuracy).without_rules();
+    if !has_normals {
+        glb = glb.without_normals();
+    }
+    // Shared corners are known at the end.
+    let most_parts = if has_normals { most_bytes } else { most_bytes.saturating_mul(2) };
     let images = TileImages::default();
     if shares_images {
         let images = images.clone();
@@ -105,7 +120,7 @@ pub fn content(
                 );
             }
         }
-        if most_bytes < glb.size() && 1 < lots.len() {
+        if most_parts < glb.size() && 1 < lots.len() {
             return None;
         }
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::area::Area;
 use crate::cell::Cell;
-use crate::content::content;
+use crate::content::{Form, content};
 use crate::glb_bounds::Bounds;
 use crate::lots::{Lots, MOST_NEAR};
 use crate::rules::LevelRules;
@@ -70,12 +70,20 @@ pub struct TreeLevel {
     pub neighbours: Option<Distances>,
     /// True for tiles that share their images.
     pub shares_images: bool,
+    /// False for tiles without normals.
+    pub has_normals: bool,
 }
 
 impl TreeLevel {
     /// The metres by which positions may move: a centimetre nearby, and a fiftieth of the error far away.
     pub fn accuracy(&self) -> f64 {
         (self.error / 50.0).max(0.01)
+    }
+
+    /// The form of its tiles with at most some bytes.
+    pub fn form(&self, most_bytes: u64) -> Form {
+        let TreeLevel { shares_images, has_normals, .. } = *self;
+        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals }
     }
 }
 
@@ -237,9 +245,8 @@ impl Trees<'_> {
             Some(tile) => tile,
             None => {
                 let footprints = self.lots.footprints(lots.clone())?;
-                let TreeLevel { rules, shares_images, .. } = &self.levels[level];
-                let (accuracy, most) = (self.levels[level].accuracy(), self.most_bytes);
-                let made = content(&footprints, around.as_ref(), &frame, rules, accuracy, most, *shares_images);
+                let own = &self.levels[level];
+                let made = content(&footprints, around.as_ref(), &frame, &own.rules, own.form(self.most_bytes));
                 TileFile::write(self.store, &name, digest, made)?
             }
         };
@@ -275,9 +282,10 @@ impl Trees<'_> {
     fn digest(&self, piece: &Piece, level: usize, around: Option<&Surroundings>) -> io::Result<String> {
         let mut digest = blake3::Hasher::new();
         digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 3").as_bytes());
-        digest.update(&self.levels[level].rules.digest).update(&self.most_bytes.to_le_bytes());
-        digest.update(&self.levels[level].accuracy().to_le_bytes());
-        digest.update(&[u8::from(self.levels[level].shares_images)]);
+        let own = &self.levels[level];
+        let Form { accuracy, most_bytes, shares_images, has_normals } = own.form(self.most_bytes);
+        digest.update(&own.rules.digest).update(&most_bytes.to_le_bytes()).update(&accuracy.to_le_bytes());
+        digest.update(&[shares_images, has_normals].map(u8::from));
         digest.update(piece.cell.to_string().as_bytes());
         for entry in self.lots.entries(piece.lots.clone())? {
             digest.update(&entry.digest);
@@ -321,7 +329,8 @@ mod tests {
         let file = RuleFile::from_text("@StartRule Lot --> extrude(9) X.").expect("good rules");
         let rules = Rules::new(vec![file]).expect("rules").at(&Level::default()).expect("rules");
         let store = Folder(folder.path().join("city"));
-        let levels = [TreeLevel { rules, lots: 2, error: 0.0, neighbours: None, shares_images: true }];
+        let levels =
+            [TreeLevel { rules, lots: 2, error: 0.0, neighbours: None, shares_images: true, has_normals: true }];
         let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: u64::MAX, each: &|_| Ok(()) };
         let all = trees.piece(0..8).expect("lots").expect("lots");
         let pieces = trees.cut(all, 4).expect("pieces");

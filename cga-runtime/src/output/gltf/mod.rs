@@ -23,6 +23,7 @@ mod buildings;
 mod combine;
 mod container;
 mod images;
+mod joined;
 mod json;
 mod look;
 mod models;
@@ -106,6 +107,8 @@ pub struct Glb {
     quantization: Option<f64>,
     /// True if vertices have no numbers of rules.
     has_no_rules: bool,
+    /// True if vertices have no normals, and faces share vertices.
+    has_no_normals: bool,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -218,9 +221,9 @@ impl Glb {
         self
     }
 
-    /// The bytes of vertices and indices so far, at least: [`with_quantization`](Glb::with_quantization) cannot shorten all of them. The
-    /// description, metadata and images come on top. A program that divides its output into
-    /// files can stop when one is full.
+    /// The bytes of vertices and indices so far, at least: [`with_quantization`](Glb::with_quantization) cannot shorten all of them. Corners that
+    /// faces share [without normals](Glb::without_normals) are known at the end, and count for each face. Description, metadata and images
+    /// come on top. A program that divides its output into files can stop when one is full.
     ///
     /// ```
     /// # use cga_runtime::facade as cga;
@@ -285,7 +288,7 @@ impl Glb {
         self.end_buildings(&mut meshes);
         meshes = meshes.into_iter().flat_map(|mesh| mesh.divided(self.division)).collect();
         meshes.retain(|mesh| !mesh.primitives.is_empty());
-        Ok(meshes)
+        self.join_vertices(meshes)
     }
 
     /// Turns assets at several places into separate meshes; the others join the rest.

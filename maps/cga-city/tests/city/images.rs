@@ -12,16 +12,21 @@ use cga_geo::synthetic::Town;
 
 use crate::town::{build, files, options};
 
-const BRICKS: &str = "attr height = 9  attr kind = \"home\"
-    Lot --> extrude(height) comp(f) { side : setupProjection(0, scope.xy, 2, 2) texture(\"bricks.png\") projectUV(0) Wall. | top : Roof. }";
+const BRICKS: &str = "Lot --> extrude(height) comp(f) { side : setupProjection(0, scope.xy, 2, 2) texture(\"bricks.png\") projectUV(0) Wall. | top : Roof. }";
 
 fn assets() -> std::path::PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/guide/assets")
 }
 
 fn rules(text: &str) -> Rules {
-    let rules = Rules::new(vec![RuleFile::from_text(text).expect("good rules")]).expect("one file");
+    let text = format!("attr height = 9  attr kind = \"home\" {text}");
+    let rules = Rules::new(vec![RuleFile::from_text(&text).expect("good rules")]).expect("one file");
     rules.with_assets(&assets()).expect("a folder")
+}
+
+/// Rules with walls of bricks, nearby and far away.
+pub(crate) fn bricks() -> Rules {
+    rules(&format!("@StartRule {BRICKS} @StartRule {}", BRICKS.replacen("Lot", "Block", 1)))
 }
 
 fn near(shares_images: bool) -> Options {
