@@ -19,3 +19,10 @@ sed 's/ extrude(height) comp(f) { side : Wall/ extrude(height) comp(f) { side : 
 grep -q bricks.png "$folder/bricks.cga"
 city --rules "$folder/bricks.cga" --assets ../../docs/guide/assets --plain-far --out "$folder/bricks"
 show "$folder/bricks" 1
+# Houses that are one mesh at many places.
+mkdir "$folder/meshes"
+printf '%s\n' 'v 0 0 0' 'v 1 0 0' 'v 1 0 1' 'v 0 0 1' 'v 0 1 0' 'v 1 1 0' 'v 1 1 1' 'v 0 1 1' \
+    'f 1 2 3 4' 'f 5 8 7 6' 'f 1 5 6 2' 'f 2 6 7 3' 'f 3 7 8 4' 'f 4 8 5 1' >"$folder/meshes/house.obj"
+printf '%s\n' 'attr height = 9' '@StartRule Lot --> extrude(height) i("house.obj")' '@StartRule Block --> extrude(height)' >"$folder/meshes.cga"
+city --rules "$folder/meshes.cga" --assets "$folder/meshes" --out "$folder/inserted"
+show "$folder/inserted"
