@@ -263,6 +263,28 @@ mod tests {
     }
 
     #[test]
+    fn start_rules_that_ask_about_neighbours_are_known() {
+        let asking = "@StartRule Lot --> extrude(9) comp(f) { side : case touches(inter) : X. else : Y. | top : Z. }
+            @StartRule Block --> extrude(9) Y.  @StartRule Own --> case touches(intra) : X. else : Y.";
+        let lot = |start: Option<&str>| Footprint {
+            id: String::new(),
+            seed: 0,
+            grammar: None,
+            start: start.map(str::to_owned),
+            values: Vec::new(),
+            rings: Vec::new(),
+            base: 0.0,
+        };
+        let asks = |level: &str, start: Option<&str>| {
+            let level = if level.is_empty() { Level::default() } else { level.parse().expect("a level") };
+            rules(asking).at(&level).expect("known").asks(&lot(start))
+        };
+        let found = [("", None), ("", Some("Block")), ("", Some("Own")), ("Block", None), ("Block", Some("Lot"))];
+        assert_eq!(found.map(|(level, start)| asks(level, start)), [true, false, false, false, true]);
+        assert!(!rules(HOUSE).at(&Level::default()).expect("known").can_ask());
+    }
+
+    #[test]
     fn rules_need_a_start_rule() {
         for text in ["attr height = 9", "House(h) --> extrude(h) X."] {
             let file = RuleFile::from_text(text).expect("good rules");
