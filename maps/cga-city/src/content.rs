@@ -149,7 +149,7 @@ enum Runs<'c> {
     /// Rules that find no neighbours.
     Alone(Box<dyn DynSession + 'c>),
     /// Rules among neighbours. The session is opened by the first run, whose error says what is wrong.
-    Scene(Scene<'c>, &'c Settings, Option<SceneSession<'c>>),
+    Scene(Scene<'c>, &'c Settings, Option<Box<SceneSession<'c>>>),
 }
 
 impl<'c> Runs<'c> {
@@ -166,7 +166,7 @@ impl<'c> Runs<'c> {
             Runs::Scene(scene, settings, session) => {
                 let session = match session {
                     Some(session) => session,
-                    none => none.insert(scene.session(settings)?),
+                    none => none.insert(Box::new(scene.session(settings)?)),
                 };
                 session.run(index, glb)
             }

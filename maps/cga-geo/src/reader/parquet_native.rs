@@ -156,7 +156,7 @@ impl Lists {
             }
             let z = zs.as_mut().and_then(|(column, values)| column.has_number(number).then(|| values.next())?);
             let Some(outline) = outlines.last_mut() else { continue };
-            if self.elements[lists as usize - 2] <= *definition && *repetition <= lists - 1 {
+            if self.elements[lists as usize - 2] <= *definition && *repetition < lists {
                 outline.rings.push(Vec::new());
             }
             if *definition < self.elements[lists as usize - 1] {
