@@ -124,9 +124,7 @@ pub fn content(
             return None;
         }
     }
-    if glb.size() == 0 {
-        return Some(content);
-    }
+    // The size of a file leaves out meshes that are inserted, so the box around all meshes tells whether it has some.
     let made = glb.into_bytes().map_err(|why| why.to_string()).and_then(|bytes| Ok((glb_bounds(&bytes)?, bytes)));
     match made {
         Ok((_, bytes)) if most_bytes < bytes.len() as u64 && 1 < lots.len() => return None,

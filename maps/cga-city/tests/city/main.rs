@@ -4,6 +4,7 @@ mod formats;
 mod glb;
 mod hostile;
 mod images;
+mod inserted;
 mod levels;
 mod neighbours;
 mod resumed;
