@@ -85,6 +85,7 @@ pub use cga_runtime::grammar::parallel::Stretch;
 /// # Ok::<(), Error>(())
 /// ```
 pub use cga_runtime::grammar::scene::Scene;
+pub use cga_runtime::grammar::scene::session::SceneSession;
 pub use cga_runtime::grammar::scene::shared::{SceneLot, SharedScene};
 /// ```
 /// use cga::{Error, Grammar, Model, Settings, Shape, cga};

@@ -136,6 +136,7 @@ windows! {
     Offset "`offset` and `comp`" [offset(-0.1) comp(f) { all : Window. }];
     Edges "`comp(fe)`" [comp(fe) { all : Window. }];
     Chance "a chance" [50% : Window. else : Other.];
+    ChancePart "a sphere in a part, by chance" [50% : split(x) { ~1 : s(1, 1, 0.2) primitiveSphere(8, 4) Window. } else : Other.];
     Index "`split.index`" [case split.index == 0 : Window. else : Other.];
     Elevation "`scope.elevation`" [case scope.elevation > 9 : Window. else : Other.];
     RandomColour "a random colour" [color(rand(1), 0.5, 0.5) Window.];

@@ -18,7 +18,7 @@ use std::sync::Arc;
 
 use async_trait::async_trait;
 use cga_city::cell::key;
-use cga_city::content::content;
+use cga_city::content::{Form, content};
 use cga_city::store::Store as _;
 use cga_geo::frame::Frame;
 use cga_geo::survey::Survey;
@@ -260,7 +260,8 @@ fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
         // Positions are in metres around the first polygon.
         let made = footprints.first().and_then(|first| {
             let (frame, level) = (Frame::at(first.middle()), &work.levels[0]);
-            threads.install(|| content(&footprints, &frame, &level.rules, level.accuracy(), u64::MAX))
+            let form = Form { shares_images: false, ..level.form(u64::MAX) };
+            threads.install(|| content(&footprints, None, &frame, &level.rules, form))
         });
         let glb = made.and_then(|made| {
             why.extend(made.problems.into_iter().map(|problem| problem.reason));

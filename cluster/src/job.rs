@@ -127,6 +127,8 @@ impl Job {
             levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
             lots_per_tile: self.tile_lots.unwrap_or(usual.lots_per_tile).max(1),
             most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size.saturating_mul(1 << 10)),
+            // A unit has its own lots alone.
+            neighbours: None,
             ..usual
         };
         Ok(Work {

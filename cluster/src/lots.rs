@@ -35,7 +35,8 @@ impl Lots {
         for url in &urls {
             let found = geometries(context, url).await.map_err(|why| unread(format!("`{url}`: {why}")))?;
             for (file, own) in found {
-                let own = Geometry::of(own.as_deref()).map_err(|why| unread(format!("`{file}`: {why}")))?;
+                let own = Geometry::of(own.as_deref()).and_then(|own| own.check_wkb().map(|()| own));
+                let own = own.map_err(|why| unread(format!("`{file}`: {why}")))?;
                 if geometry.get_or_insert_with(|| own.clone()) != &own {
                     return Err(unread(format!(
                         "`{file}` has another coordinate system or another column of geometries than the first file; make jobs of their own"

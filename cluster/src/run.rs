@@ -4,10 +4,11 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 use std::time::Duration;
 
 use cga_city::cell::Cell;
-use cga_city::leftovers::is_tile_or_block;
+use cga_city::leftovers::is_made;
+use cga_city::root::write_root;
 use cga_city::store::Store as _;
 use cga_city::tally::Tally;
-use cga_city::tree::{self, block_lots};
+use cga_city::tree::block_lots;
 use datafusion::arrow::array::{AsArray as _, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, UInt64Type};
@@ -302,9 +303,9 @@ fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u6
         (lost, notes) = (lost + file.lost, notes + file.notes);
         Ok(())
     })?;
-    store.write("tileset.json", tree::root(cell, blocks).tileset()).map_err(failed)?;
-    for folder in ["tiles", "sets", "units", "failures/buildings"] {
-        let is_own = |name: &str| !["tiles", "sets"].contains(&folder) || is_tile_or_block(name);
+    write_root(store, cell, blocks, &mut |name| tally.add_name(name)).map_err(failed)?;
+    for folder in ["tiles", "sets", "areas", "images", "units", "failures/buildings"] {
+        let is_own = |name: &str| !["tiles", "sets", "areas", "images"].contains(&folder) || is_made(name);
         store.delete_where(folder, |name| is_own(name) && !tally.has_name(name)).map_err(failed)?;
     }
     Ok((tally, lost, notes))

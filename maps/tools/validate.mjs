@@ -1,12 +1,15 @@
 // The Khronos validator on GLB files: node validate.mjs FILES. The last line has the numbers; the exit status is 1 with an error.
 import { readFileSync } from "node:fs";
+import { dirname, join } from "node:path";
 import { validateBytes } from "gltf-validator";
 
 let errors = 0;
 let warnings = 0;
 const files = process.argv.slice(2);
 for (const file of files) {
-    const report = await validateBytes(new Uint8Array(readFileSync(file)), { uri: file });
+    // Images are files beside the tiles.
+    const externalResourceFunction = async (address) => new Uint8Array(readFileSync(join(dirname(file), decodeURIComponent(address))));
+    const report = await validateBytes(new Uint8Array(readFileSync(file)), { uri: file, externalResourceFunction });
     errors += report.issues.numErrors;
     warnings += report.issues.numWarnings;
     for (const issue of report.issues.messages.filter((message) => message.severity < 2)) {

@@ -1,9 +1,9 @@
-// node test.mjs COMMAND DIR: flies through a city in a headless Chromium. The last line says what was seen.
+// node test.mjs COMMAND DIR [IMAGES]: flies through a city in a headless Chromium. The last line says what was seen.
 import { spawn } from "node:child_process";
 import { once } from "node:events";
 import puppeteer from "puppeteer-core";
 
-const [command, folder] = process.argv.slice(2);
+const [command, folder, expectedImages = "0"] = process.argv.slice(2);
 const server = spawn(command, ["view", folder, "--port", "0"], { stdio: ["ignore", "inherit", "pipe"] });
 const [line] = await once(server.stderr, "data");
 const address = String(line).split(" ")[0];
@@ -16,6 +16,13 @@ const check = (condition, text) => {
 };
 try {
     const page = await browser.newPage();
+    const images = new Set();
+    const lost = [];
+    page.on("response", (response) => {
+        const address = response.url();
+        if (address.includes("/city/images/")) images.add(address);
+        if (400 <= response.status() && !address.endsWith("/favicon.ico")) lost.push(`${response.status()} ${address}`);
+    });
     page.on("pageerror", (error) => console.log(`page: ${error}`));
     await page.setViewport({ width: 800, height: 600 });
     await page.goto(address);
@@ -45,7 +52,9 @@ try {
     check(building && 0 < Number(building.name) && 4 <= building.height && building.height <= 22, `no building: ${JSON.stringify(building)}`);
     const card = await page.$eval("#card", (card) => card.textContent);
     check(card.includes(building.name), `the card is ${card}`);
-    console.log(`visible tiles from far to near: ${seen.join(", ")}; a click shows id ${building.name}, height ${building.height}; 0 missing`);
+    check(lost.length === 0, `requests fail: ${lost.join("\n")}`);
+    check(images.size === Number(expectedImages), `${images.size} images, not ${expectedImages}`);
+    console.log(`visible tiles from far to near: ${seen.join(", ")}; a click shows id ${building.name}, height ${building.height}; 0 missing; ${images.size} images`);
 } finally {
     await browser.close();
     server.kill();

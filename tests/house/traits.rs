@@ -24,9 +24,9 @@ use cga::{
     ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
     Frame, Geometry, Grammars, Layer, LayerPart, Leaf, LeafView, Leaves, LimitKind, Limits, Live, LiveError, Material,
     MaterialNumber, MaterialText, Mesh, MeshBuilder, MeshError, Model, Print, Progress, Quad, Range, Report, Reports,
-    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, SceneLot, Scope, Session, Settings, Shape,
-    ShapeNode, ShapeRef, ShapeTree, SharedScene, StartRule, Stretch, Summary, Text, Value, ValueType, Watch,
-    WriteError, WrongLots, cga,
+    RuleDiagnostic, RuleFile, RuleFileError, RuleLoader, RunError, Scene, SceneLot, SceneSession, Scope, Session,
+    Settings, Shape, ShapeNode, ShapeRef, ShapeTree, SharedScene, StartRule, Stretch, Summary, Text, Value, ValueType,
+    Watch, WriteError, WrongLots, cga,
 };
 use cga_tests::tree::root;
 
@@ -70,7 +70,7 @@ fn public_types_have_the_common_traits() {
     // They are filled and then used up.
     each!(state: Chunks<fn(&Buffers) -> Flow>, Glb, MeshBuilder, Obj<Vec<u8>>, SinkTable, Solution, Watertight<Model>);
     // They belong to the thread of a run.
-    each!(shown: Filled<'static>, Leaf<'static>, Replay<'static>, Session<'static, House>, ShapeRef<'static>);
+    each!(shown: Filled<'static>, Leaf<'static>, Replay<'static>, SceneSession<'static>, Session<'static, House>, ShapeRef<'static>);
 }
 
 #[test]

@@ -44,6 +44,7 @@ mod scene;
 mod scene_facts;
 mod scene_hostile;
 mod scene_laws;
+mod scene_session;
 mod scene_shared;
 mod scene_streams;
 mod set_by_name;

@@ -195,3 +195,61 @@ fn buildings_keep_their_numbers_without_rules() {
     let file = File::new(fill.0);
     assert_eq!((file.json.get("extensionsUsed"), file.json.get("extensions")), (None, None));
 }
+
+#[test]
+fn faces_without_normals_share_their_corners() {
+    for model in [mixed(), steady(), tower(3)] {
+        for exact in [true, false] {
+            let form = || if exact { Glb::new() } else { Glb::new().with_quantization(MOST_ERROR) };
+            let (lit, plain) = (file(&model, form()), file(&model, form().without_normals()));
+            assert!(plain.length < lit.length);
+            assert_eq!(lit.primitives().len(), plain.primitives().len());
+            for ((mesh, a), (_, b)) in lit.primitives().into_iter().zip(plain.primitives()) {
+                assert!(a["attributes"].get("NORMAL").is_some() && b["attributes"].get("NORMAL").is_none());
+                assert!(b["attributes"].get("TANGENT").is_none());
+                let corners = |file: &File, p: &Value| {
+                    let (points, rules) = (file.positions(mesh, p), file.items::<1>(&p["attributes"]["_FEATURE_ID_0"]));
+                    let indices = file.items::<1>(&p["indices"]).into_iter().map(|[index]| index as usize);
+                    indices.map(|index| (points[index], rules[index])).collect::<Vec<_>>()
+                };
+                for ((a, rule), (b, other)) in corners(&lit, a).into_iter().zip(corners(&plain, b)) {
+                    assert!((a - b).abs().max_element() <= MOST_ERROR && rule == other, "{a} {b}");
+                }
+            }
+        }
+    }
+    let vertices = |glb: Glb| {
+        let file = file(&tower(1), glb);
+        let count = |(_, p): (usize, &Value)| file.accessor(&p["attributes"]["POSITION"])["count"].as_u64();
+        file.primitives().into_iter().filter_map(count).sum::<u64>()
+    };
+    let (lit, plain) = (vertices(Glb::new()), vertices(Glb::new().without_normals()));
+    assert!(2 * plain <= lit, "{plain} {lit}");
+}
+
+#[test]
+fn buildings_without_normals_share_no_corners_with_each_other() {
+    let made = |glb: Glb| {
+        let mut glb = Fill(glb.without_rules());
+        for (name, seed) in [("a", 1), ("b", 2)] {
+            glb.0.begin_building(name, seed);
+            // The same square twice, with two rules.
+            for rule in ["Wall", "Roof"] {
+                glb.quad(rule, &color(0.5, 0.5, 0.5), front(DVec3::ZERO, 1.0, 2.0));
+            }
+            glb.0.end_building(&|| Building::new(name, seed));
+        }
+        File::new(glb.0)
+    };
+    let plain = made(Glb::new().without_normals());
+    let [(_, primitive)] = plain.primitives()[..] else { panic!("one material") };
+    let ids = plain.items::<1>(&primitive["attributes"]["_FEATURE_ID_0"]);
+    let of = |number: f64| ids.iter().filter(|id| id[0] == number).count();
+    let lit = made(Glb::new());
+    let count = lit.items::<3>(&lit.primitives()[0].1["attributes"]["POSITION"]).len();
+    assert_eq!(([of(0.0), of(1.0)], ids.len(), count), ([4, 4], 8, 16));
+    // Each building has its own indices.
+    let indices: Vec<usize> = plain.items::<1>(&primitive["indices"]).iter().map(|index| index[0] as usize).collect();
+    let (first, second) = indices.split_at(indices.len() / 2);
+    assert!(first.iter().all(|index| *index < 4) && second.iter().all(|index| 4 <= *index));
+}

@@ -1,7 +1,7 @@
 //! Textures in files and buffers: images, sets of coordinates, and missing files.
 
 use std::path::PathBuf;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use crate::sink_support::{Fill, color, front, upright};
 use cga_runtime::asset::Assets;
@@ -293,6 +293,29 @@ fn images_can_be_referenced() {
     }
     let file = String::from_utf8_lossy(&glb.0.into_bytes().expect("a file")).into_owned();
     assert!(file.contains("\"uri\":\"maps/a.png\"") && file.contains("\"mimeType\":\"image/png\""));
+}
+
+#[test]
+fn files_share_images_by_their_addresses() {
+    let same = png(2, 2, [1; 4]);
+    let names = ["maps/a.png", "maps/copy.png", "maps/b.png"];
+    let folder = Folder::new("shared", &[(names[0], &same), (names[1], &same), (names[2], &png(4, 4, [2; 4]))]);
+    let seen = Arc::new(Mutex::new(Vec::new()));
+    let list = seen.clone();
+    let glb = Glb::new().with_assets(folder.assets()).with_shared_images(move |ending, bytes| {
+        list.lock().expect("a list").push((ending.to_owned(), bytes.to_vec()));
+        (bytes.len() == same.len()).then(|| "../shared%20images/a.png".to_owned())
+    });
+    let mut glb = Fill(glb);
+    for name in names {
+        glb.mesh("A", &look(|look| look.texture = Some(name.into())), &square(&[0]), DAffine3::IDENTITY);
+    }
+    let file = String::from_utf8_lossy(&glb.0.into_bytes().expect("a file")).into_owned();
+    assert_eq!(file.matches("\"uri\":\"../shared%20images/a.png\"").count(), 1, "two names of one image are one image");
+    assert_eq!(file.matches("\"mimeType\":\"image/png\"").count(), 1);
+    let seen = seen.lock().expect("a list");
+    assert_eq!(seen.iter().map(|(ending, _)| ending.as_str()).collect::<Vec<_>>(), ["png"; 3]);
+    assert_eq!(seen[0].1, std::fs::read(folder.0.join(names[0])).expect("the file"));
 }
 
 #[test]

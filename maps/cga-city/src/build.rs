@@ -16,11 +16,12 @@ use crate::leftovers::delete_others;
 use crate::level::Level;
 use crate::lots::Sorter;
 use crate::problems::Problems;
+use crate::root::write_root;
 use crate::rules::Rules;
-use crate::store::{Folder, Store as _};
+use crate::store::Folder;
+use crate::surroundings::Distances;
 use crate::tally::{LevelSummary, Tally};
-use crate::tileset::Node;
-use crate::tree::{self, TileEvent, TreeLevel, Trees};
+use crate::tree::{self, Block, TileEvent, TreeLevel, Trees};
 
 /// The choices of a city.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -33,11 +34,25 @@ pub struct Options {
     pub most_bytes: u64,
     /// The number of threads; `None` for one on each processor.
     pub jobs: Option<usize>,
+    /// True for tiles that share their images: each is a file of its own, however many tiles show it.
+    pub shares_images: bool,
+    /// True for far tiles without normals, which are smaller. Some viewers show them without light and shade.
+    pub plain_far: bool,
+    /// The distances up to which rules find other lots; `None` for rules that find no others.
+    pub neighbours: Option<Distances>,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Options { levels: Vec::new(), lots_per_tile: 256, most_bytes: 4 << 20, jobs: None }
+        Options {
+            levels: Vec::new(),
+            lots_per_tile: 256,
+            most_bytes: 4 << 20,
+            jobs: None,
+            shares_images: true,
+            plain_far: false,
+            neighbours: Some(Distances::default()),
+        }
     }
 }
 
@@ -205,10 +220,11 @@ impl Build {
         let store = Folder(folder.clone());
         let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: options.most_bytes, each: &each };
         let blocks = |problems: &mut Problems| -> io::Result<()> {
-            let root = root(&trees, &log, problems)?;
+            let (cell, blocks) = blocks(&trees, &log, problems)?;
             // A city without lots is a mistake, and the older one stays.
             if !lots.is_empty() || !folder.join("tileset.json").exists() {
-                store.write("tileset.json", root.tileset())?;
+                let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
+                write_root(&store, cell, blocks, &mut |name| log.add_name(name))?;
             }
             problems.finish()
         };
@@ -273,7 +289,9 @@ impl Options {
         let near = Level { error: Some(0.0), ..Level::default() };
         let mut lots = self.lots_per_tile.max(1);
         let mut error = LEVEL_ERROR.0;
-        let mut levels = vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0 }];
+        let Options { neighbours, shares_images, plain_far, .. } = *self;
+        let mut levels =
+            vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0, neighbours, shares_images, has_normals: true }];
         for (number, level) in self.levels.iter().enumerate() {
             let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
             if self.levels[..number].iter().any(is_same) {
@@ -289,15 +307,15 @@ impl Options {
                 ));
             }
             let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
-            levels.push(TreeLevel { rules, lots, error });
+            levels.push(TreeLevel { rules, lots, error, neighbours, shares_images, has_normals: !plain_far });
             error *= LEVEL_ERROR.1;
         }
         Ok(levels)
     }
 }
 
-/// The blocks of the city, and its root.
-fn root(trees: &Trees<'_>, log: &Mutex<Tally>, problems: &mut Problems) -> io::Result<Node> {
+/// The blocks of the city, and the cell around them.
+fn blocks(trees: &Trees<'_>, log: &Mutex<Tally>, problems: &mut Problems) -> io::Result<(Cell, Vec<Block>)> {
     let cell = trees.piece(0..trees.lots.len())?.map_or(Cell::WORLD, |all| all.cell);
     let blocks = trees.blocks(|block| {
         let mut log = log.lock().unwrap_or_else(PoisonError::into_inner);
@@ -305,5 +323,5 @@ fn root(trees: &Trees<'_>, log: &Mutex<Tally>, problems: &mut Problems) -> io::R
         block.iter().for_each(|block| log.add_name(&block.name));
         Ok(())
     })?;
-    Ok(tree::root(cell, blocks))
+    Ok((cell, blocks))
 }

@@ -68,11 +68,26 @@ impl fmt::Display for Cell {
 }
 
 /// The number of the smallest cell at a longitude and latitude in degrees, along the curve.
-pub fn key([longitude, latitude]: Corner) -> u64 {
+pub fn key(place: Corner) -> u64 {
+    let count = (1u64 << DEEPEST) as f64;
+    code(self::place(place).map(|part| part.clamp(0.0, count - 1.0) as u64))
+}
+
+/// A longitude and latitude as column and row, with fractions, in sides of the smallest cells.
+pub(crate) fn place([longitude, latitude]: Corner) -> [f64; 2] {
     let count = (1u64 << DEEPEST) as f64;
     let x = (longitude + 180.0) / 360.0;
     let y = (1.0 - libm::asinh(libm::tan(latitude.to_radians())) / std::f64::consts::PI) / 2.0;
-    let [x, y] = [x, y].map(|part| (part * count).clamp(0.0, count - 1.0) as u64);
+    [x * count, y * count]
+}
+
+/// The column and the row of a smallest cell.
+pub(crate) fn place_of(key: u64) -> [f64; 2] {
+    [gathered(key), gathered(key >> 1)].map(|part| part as f64)
+}
+
+/// The number of a cell along the curve, by column and row.
+pub(crate) fn code([x, y]: [u64; 2]) -> u64 {
     spread(x) | spread(y) << 1
 }
 

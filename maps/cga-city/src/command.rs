@@ -7,6 +7,7 @@ use std::time::Instant;
 use cga_city::build::{Build, Options, Summary};
 use cga_city::leftovers::is_of_city;
 use cga_city::rules::Rules;
+use cga_city::surroundings::Distances;
 use cga_geo::crs::{Crs, WGS_84};
 use cga_geo::missing;
 use cga_geo::reader::{self, FileCrs};
@@ -30,6 +31,9 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
         lots_per_tile: options.tile_lots,
         most_bytes: options.tile_size.saturating_mul(1 << 10),
         jobs: options.jobs.map(|jobs| jobs as usize),
+        shares_images: !options.embed_images,
+        plain_far: options.plain_far,
+        neighbours: Some(Distances { occlusion: options.occlusion_distance, context: options.context_distance }),
     };
     // Wrong levels are reported before a file is read.
     choices.check(&rules).map_err(|why| Problem::unusable(format!("--lod: {why}")))?;

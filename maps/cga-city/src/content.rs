@@ -3,11 +3,14 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cga::sink::gltf::Glb;
+use cga::{DynSession, Error, Report, Scene, SceneSession, Settings, Shape};
 use cga_geo::footprint::Footprint;
 use cga_geo::frame::Frame;
 
 use crate::glb_bounds::{Bounds, glb_bounds};
+use crate::images::{Images, TileImages};
 use crate::rules::LevelRules;
+use crate::surroundings::Surroundings;
 
 /// The most problems of a tile that are listed.
 pub const MOST_PROBLEMS: usize = 100;
@@ -17,6 +20,8 @@ pub const MOST_PROBLEMS: usize = 100;
 pub struct Content {
     /// The file; empty if no building has a face.
     pub glb: Vec<u8>,
+    /// The images that it shares with other tiles.
+    pub images: Images,
     /// The box around the buildings: east, north and up in metres.
     pub bounds: Bounds,
     /// The number of buildings.
@@ -38,30 +43,68 @@ pub struct LotProblem {
     pub reason: String,
 }
 
-/// Makes the contents of a tile. `None` if the file has more than `most_bytes` and more than one lot: then its lots are divided. Positions
-/// move by at most `accuracy` metres, which makes the file smaller unless the tile is too wide for that.
+/// The form of the files of tiles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Form {
+    /// The metres by which positions may move, which makes files smaller unless a tile is too wide for that.
+    pub accuracy: f64,
+    /// The most bytes of a file with several lots.
+    pub most_bytes: u64,
+    /// True for images in files of their own, which tiles share.
+    pub shares_images: bool,
+    /// False for files without normals, whose faces share corners.
+    pub has_normals: bool,
+}
+
+/// Makes the contents of a tile. `None` if the file has more bytes than its form allows and more than one lot: then its lots are divided.
+///
+/// With `around`, the rules of the lots find each other and the lots around the tile, which have no building in it.
 pub fn content(
     lots: &[Footprint],
+    around: Option<&Surroundings>,
     frame: &Frame,
     rules: &LevelRules,
-    accuracy: f64,
-    most_bytes: u64,
+    form: Form,
 ) -> Option<Content> {
-    let mut session = rules.grammars.session(&rules.settings);
     let glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
+    let Form { accuracy, most_bytes, shares_images, has_normals } = form;
     let mut glb = glb.with_quantization(accuracy).without_rules();
-    let mut content =
-        Content { glb: Vec::new(), bounds: Bounds::EMPTY, buildings: 0, problems: Vec::new(), problems_left_out: 0 };
+    if !has_normals {
+        glb = glb.without_normals();
+    }
+    // Shared corners are known at the end.
+    let most_parts = if has_normals { most_bytes } else { most_bytes.saturating_mul(2) };
+    let images = TileImages::default();
+    if shares_images {
+        let images = images.clone();
+        glb = glb.with_shared_images(move |ending, bytes| images.take(ending, bytes));
+    }
+    let mut content = Content::default();
+    if let (Some(Err(why)), Some(first)) = (around.map(|around| &around.lots), lots.first()) {
+        content.add(first, false, why.clone());
+    }
+    let lot = |footprint: &Footprint| footprint.lot(rules.grammar(footprint.grammar.as_deref()), frame);
+    let (mut shapes, mut numbers) = (Vec::new(), Vec::new());
     for footprint in lots {
-        let lot = match footprint.lot(rules.grammar(footprint.grammar.as_deref()), frame) {
-            Ok(lot) => lot,
-            Err(why) => {
-                content.add(footprint, true, why.to_string());
-                continue;
+        match lot(footprint) {
+            Ok(shape) => {
+                numbers.push(footprint);
+                shapes.push(shape);
             }
-        };
+            Err(why) => content.add(footprint, true, why.to_string()),
+        }
+    }
+    // Lots of other tiles that cannot be built are problems of those tiles.
+    let others = around.and_then(|around| around.lots.as_ref().ok()).into_iter().flatten();
+    shapes.extend(others.filter_map(|footprint| lot(footprint).ok()));
+    let scene = around.map(|Surroundings { distances, .. }| {
+        let scene = Scene::of_grammars(&rules.grammars, &shapes);
+        scene.occlusion_distance(distances.occlusion).context_distance(distances.context)
+    });
+    let mut runs = Runs::open(scene, rules);
+    for (index, footprint) in numbers.into_iter().enumerate() {
         // A mistake of the runtime must not end a city.
-        let run = catch_unwind(AssertUnwindSafe(|| session.run(&lot, &mut glb)));
+        let run = catch_unwind(AssertUnwindSafe(|| runs.run(index, &shapes, &mut glb)));
         match run {
             Ok(Ok(report)) => {
                 content.buildings += 1;
@@ -69,7 +112,7 @@ pub fn content(
             }
             Ok(Err(why)) => content.add(footprint, true, why.to_string()),
             Err(_) => {
-                session = rules.grammars.session(&rules.settings);
+                runs = Runs::open(scene, rules);
                 content.add(
                     footprint,
                     true,
@@ -77,13 +120,11 @@ pub fn content(
                 );
             }
         }
-        if most_bytes < glb.size() && 1 < lots.len() {
+        if most_parts < glb.size() && 1 < lots.len() {
             return None;
         }
     }
-    if glb.size() == 0 {
-        return Some(content);
-    }
+    // The size of a file leaves out meshes that are inserted, so the box around all meshes tells whether it has some.
     let made = glb.into_bytes().map_err(|why| why.to_string()).and_then(|bytes| Ok((glb_bounds(&bytes)?, bytes)));
     match made {
         Ok((_, bytes)) if most_bytes < bytes.len() as u64 && 1 < lots.len() => return None,
@@ -92,6 +133,7 @@ pub fn content(
             let Bounds { low, high } = bounds;
             content.bounds = Bounds { low: [low[0], -high[2], low[1]], high: [high[0], -low[2], high[1]] };
             content.glb = bytes;
+            content.images = images.into_images();
         }
         Ok(_) => {}
         Err(_) if 1 < lots.len() => return None,
@@ -100,9 +142,52 @@ pub fn content(
     Some(content)
 }
 
+/// The runs of the lots of a tile.
+enum Runs<'c> {
+    /// Rules that find no neighbours.
+    Alone(Box<dyn DynSession + 'c>),
+    /// Rules among neighbours. The session is opened by the first run, whose error says what is wrong.
+    Scene(Scene<'c>, &'c Settings, Option<Box<SceneSession<'c>>>),
+}
+
+impl<'c> Runs<'c> {
+    fn open(scene: Option<Scene<'c>>, rules: &'c LevelRules) -> Self {
+        match scene {
+            None => Runs::Alone(rules.grammars.session(&rules.settings)),
+            Some(scene) => Runs::Scene(scene, &rules.settings, None),
+        }
+    }
+
+    fn run(&mut self, index: usize, shapes: &[Shape], glb: &mut Glb) -> Result<Report, Error> {
+        match self {
+            Runs::Alone(session) => session.run(&shapes[index], glb),
+            Runs::Scene(scene, settings, session) => {
+                let session = match session {
+                    Some(session) => session,
+                    none => none.insert(Box::new(scene.session(settings)?)),
+                };
+                session.run(index, glb)
+            }
+        }
+    }
+}
+
 /// A fault in the words of the command: its messages name settings of the library.
 fn in_command(fault: &str) -> String {
     fault.replace("`Settings::assets`", "`--assets FOLDER`")
+}
+
+impl Default for Content {
+    fn default() -> Self {
+        Content {
+            glb: Vec::new(),
+            images: Images::new(),
+            bounds: Bounds::EMPTY,
+            buildings: 0,
+            problems: Vec::new(),
+            problems_left_out: 0,
+        }
+    }
 }
 
 impl Content {

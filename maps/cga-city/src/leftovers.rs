@@ -4,8 +4,10 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// The folders of tiles and of blocks.
-const FOLDERS: [&str; 2] = ["tiles", "sets"];
+use crate::images::is_image;
+
+/// The folders of tiles, of blocks, of areas and of images.
+const FOLDERS: [&str; 4] = ["tiles", "sets", "areas", "images"];
 
 /// Deletes files of tiles and blocks of earlier runs that are not part of the city, and folders that become empty. `is_part` gets names
 /// relative to the folder of the city, with `/`. Links are not followed, and files with other names stay.
@@ -38,7 +40,7 @@ fn delete_below(folder: &Path, name: &str, is_part: &dyn Fn(&str) -> bool) -> io
             delete_below(&path, &name, is_part)?;
             // A folder with files stays.
             let _ = fs::remove_dir(&path);
-        } else if kind.is_file() && (own.starts_with(".part-") || is_tile_or_block(&name)) && !is_part(&name) {
+        } else if kind.is_file() && (own.starts_with(".part-") || is_made(&name)) && !is_part(&name) {
             // Also files that a killed run had begun to write.
             fs::remove_file(&path)?;
         }
@@ -46,12 +48,15 @@ fn delete_below(folder: &Path, name: &str, is_part: &dyn Fn(&str) -> bool) -> io
     Ok(())
 }
 
-/// Returns true for the name of a tile, of its description, or of a block.
+/// Returns true for the name of a tile, of its description, of a block, of an area, or of an image.
 ///
 /// Names such as `tiles/0/17/69000/43000.glb`, `tiles/0/28/1/2ab.json` and `sets/12/2157/1343.json`.
-pub fn is_tile_or_block(name: &str) -> bool {
+pub fn is_made(name: &str) -> bool {
     let is_number = |part: &str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
     let Some((path, ending)) = name.rsplit_once('.') else { return false };
+    if is_image(name) {
+        return true;
+    }
     let parts: Vec<&str> = path.split('/').collect();
     // Halves of the lots of a smallest cell have letters.
     let is_row = |row: &str| is_number(row.trim_end_matches(['a', 'b']));
@@ -59,7 +64,9 @@ pub fn is_tile_or_block(name: &str) -> bool {
         ["tiles", level, zoom, column, row] => {
             ["glb", "json"].contains(&ending) && [level, zoom, column].into_iter().all(is_number) && is_row(row)
         }
-        ["sets", zoom, column, row] => ending == "json" && [zoom, column].into_iter().all(is_number) && is_row(row),
+        ["sets" | "areas", zoom, column, row] => {
+            ending == "json" && [zoom, column].into_iter().all(is_number) && is_row(row)
+        }
         _ => false,
     }
 }
@@ -70,15 +77,19 @@ mod tests {
 
     #[test]
     fn names_of_tiles_and_blocks_are_known() {
-        for name in
-            ["tiles/0/17/69000/43000.glb", "tiles/12/28/1/2ab.json", "sets/12/2157/1343.json", "sets/28/1/2ba.json"]
-        {
-            assert!(is_tile_or_block(name) && is_of_city(name), "{name}");
+        for name in [
+            "tiles/0/17/69000/43000.glb",
+            "tiles/12/28/1/2ab.json",
+            "sets/12/2157/1343.json",
+            "sets/28/1/2ba.json",
+            "areas/5/16/10.json",
+        ] {
+            assert!(is_made(name) && is_of_city(name), "{name}");
         }
         for name in
             ["tiles/0/17/house.glb", "tiles/0/1/2/3.txt", "sets/0/1/2/3.json", "tiles/0/1/2/a.glb", "sets/0/1/a.json"]
         {
-            assert!(!is_tile_or_block(name), "{name}");
+            assert!(!is_made(name), "{name}");
         }
         assert!(is_of_city("tiles") && is_of_city("sets") && is_of_city("tiles/trees") && !is_of_city("tilesets"));
         assert!(is_of_city("tileset.json") && !is_of_city("town.cga") && !is_of_city("tiles.json"));

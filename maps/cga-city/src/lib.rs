@@ -9,17 +9,21 @@
 //! Equal lots and equal rules make equal bytes, with any number of threads, in any order of the lots, and after any number of interrupted runs.
 #![forbid(unsafe_code)]
 
+mod area;
 pub mod build;
 pub mod cell;
 pub mod content;
 pub mod glb_bounds;
+pub mod images;
 pub mod leftovers;
 pub mod level;
 pub mod lots;
 pub mod problems;
 pub mod program;
+pub mod root;
 pub mod rules;
 pub mod store;
+pub mod surroundings;
 pub mod tally;
 pub mod tile_file;
 pub mod tileset;

@@ -1,9 +1,11 @@
 //! The rules of a city: one grammar or several, with values for each level of detail.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
-use cga::{Assets, Grammar, Grammars, RuleFile, RuleLoader, Settings, WrongLots};
+use cga::{Assets, Grammar, Grammars, RuleFile, RuleLoader, SceneLot, Settings, Shape, WrongLots};
+use cga_geo::footprint::Footprint;
 use cga_geo::missing;
 
 use crate::level::Level;
@@ -133,9 +135,10 @@ impl Rules {
             wrong_lots: WrongLots::Fault,
             ..Settings::default()
         };
+        let asking = asking(&files, &level.start);
         let first = files[0].clone();
         let grammars = files.into_iter().fold(Grammars::new(), Grammars::with);
-        Ok(LevelRules { first, grammars, settings, digest: *digest.finalize().as_bytes() })
+        Ok(LevelRules { first, grammars, settings, digest: *digest.finalize().as_bytes(), asking })
     }
 
     fn digest_of(&self, assets: &[(String, [u8; 32])]) -> [u8; 32] {
@@ -166,6 +169,8 @@ pub struct LevelRules {
     pub settings: Settings,
     /// The digest of rules, values and assets.
     pub digest: [u8; 32],
+    /// The names of files and of start rules that can ask about neighbours; `None` for lots without a start rule of their own.
+    asking: BTreeSet<(String, Option<String>)>,
 }
 
 impl LevelRules {
@@ -176,6 +181,34 @@ impl LevelRules {
             None => &self.first,
         }
     }
+
+    /// Returns true if the rules of some lots can ask about neighbours.
+    pub fn can_ask(&self) -> bool {
+        !self.asking.is_empty()
+    }
+
+    /// Returns true if the rules of a lot can ask about neighbours.
+    pub fn asks(&self, footprint: &Footprint) -> bool {
+        self.can_ask()
+            && self
+                .asking
+                .contains(&(self.grammar(footprint.grammar.as_deref()).name().to_owned(), footprint.start.clone()))
+    }
+}
+
+/// The start rules that can ask about neighbours, with their files.
+fn asking(files: &[RuleFile], start: &Option<String>) -> BTreeSet<(String, Option<String>)> {
+    let mut asking = BTreeSet::new();
+    for file in files {
+        let asks = |start: Option<String>| {
+            let settings = Settings { start, ..Settings::default() };
+            SceneLot::new(file.boxed(), Shape::rectangle(1.0, 1.0), settings).asks_about_neighbours()
+        };
+        let own = file.start_rules().iter().map(|rule| Some(rule.name.as_str().to_owned()));
+        let own = own.filter(|rule| asks(rule.clone()));
+        asking.extend(own.chain(asks(start.clone()).then_some(None)).map(|rule| (file.name().to_owned(), rule)));
+    }
+    asking
 }
 
 fn set(files: &mut [RuleFile], name: &str, value: &str) -> Result<(), String> {
@@ -227,6 +260,28 @@ mod tests {
         let mut set = rules(HOUSE);
         set.set("height", "12").expect("an attribute");
         assert_ne!(digest(&set, &near), first);
+    }
+
+    #[test]
+    fn start_rules_that_ask_about_neighbours_are_known() {
+        let asking = "@StartRule Lot --> extrude(9) comp(f) { side : case touches(inter) : X. else : Y. | top : Z. }
+            @StartRule Block --> extrude(9) Y.  @StartRule Own --> case touches(intra) : X. else : Y.";
+        let lot = |start: Option<&str>| Footprint {
+            id: String::new(),
+            seed: 0,
+            grammar: None,
+            start: start.map(str::to_owned),
+            values: Vec::new(),
+            rings: Vec::new(),
+            base: 0.0,
+        };
+        let asks = |level: &str, start: Option<&str>| {
+            let level = if level.is_empty() { Level::default() } else { level.parse().expect("a level") };
+            rules(asking).at(&level).expect("known").asks(&lot(start))
+        };
+        let found = [("", None), ("", Some("Block")), ("", Some("Own")), ("Block", None), ("Block", Some("Lot"))];
+        assert_eq!(found.map(|(level, start)| asks(level, start)), [true, false, false, false, true]);
+        assert!(!rules(HOUSE).at(&Level::default()).expect("known").can_ask());
     }
 
     #[test]

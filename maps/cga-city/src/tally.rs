@@ -47,6 +47,7 @@ impl Tally {
         let TileEvent { name, level, tile, was_finished, .. } = event;
         *(if *was_finished { &mut self.kept } else { &mut self.made }) += 1;
         self.names.extend([hash(name), hash(&description(name))]);
+        self.names.extend(tile.images.iter().map(|(name, _)| hash(name)));
         if !tile.problems.is_empty() {
             self.problems.push(((*name).to_owned(), (*tile).clone()));
         }

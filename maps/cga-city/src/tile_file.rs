@@ -5,7 +5,7 @@ use std::io;
 use serde::{Deserialize, Serialize};
 
 use crate::content::{Content, LotProblem};
-use crate::glb_bounds::Bounds;
+use crate::images;
 use crate::store::{Store, digest_of};
 
 /// The description of a tile.
@@ -20,6 +20,9 @@ pub struct TileFile {
     pub bytes: u64,
     /// The digest of the file, in hexadecimal digits.
     pub content: String,
+    /// The names and the bytes of the images that it shares with other tiles.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub images: Vec<(String, u64)>,
     /// The box around the buildings: the lowest and the highest corner as east, north and up in metres; without a file `None`.
     pub bounds: Option<[[f64; 3]; 2]>,
     /// The number of buildings.
@@ -39,7 +42,8 @@ impl TileFile {
     /// The description of a finished tile. `None` if it must be made: it does not exist, has another digest, or its file is damaged.
     pub fn finished(store: &dyn Store, glb: &str, digest: &str) -> Option<Self> {
         let found: TileFile = serde_json::from_slice(&store.read(&description(glb)).ok()??).ok()?;
-        let is_whole = || found.bytes == 0 || store.is_whole(glb, found.bytes, &found.content);
+        let has_images = || found.images.iter().all(|(name, bytes)| images::is_whole(store, name, *bytes));
+        let is_whole = || found.bytes == 0 || store.is_whole(glb, found.bytes, &found.content) && has_images();
         (found.digest == digest && is_whole()).then_some(found)
     }
 
@@ -50,18 +54,13 @@ impl TileFile {
     /// Errors of the store.
     pub fn write(store: &dyn Store, glb: &str, digest: String, content: Option<Content>) -> io::Result<Self> {
         let is_divided = content.is_none();
-        let content = content.unwrap_or_else(|| Content {
-            glb: Vec::new(),
-            bounds: Bounds::EMPTY,
-            buildings: 0,
-            problems: Vec::new(),
-            problems_left_out: 0,
-        });
+        let content = content.unwrap_or_default();
         let file = TileFile {
             digest,
             is_divided,
             bytes: content.glb.len() as u64,
             content: digest_of(&content.glb),
+            images: content.images.iter().map(|(name, bytes)| (name.clone(), bytes.len() as u64)).collect(),
             bounds: (!content.glb.is_empty()).then_some([content.bounds.low, content.bounds.high]),
             buildings: content.buildings,
             problems: content.problems,
@@ -72,6 +71,7 @@ impl TileFile {
         if content.glb.is_empty() {
             store.delete(glb)?;
         } else {
+            images::write(store, content.images)?;
             store.write(glb, content.glb)?;
         }
         store.write(&description, serde_json::to_vec(&file)?)?;
@@ -82,6 +82,7 @@ impl TileFile {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::glb_bounds::Bounds;
     use crate::store::Folder;
 
     /// A store that stops before the description of a tile, and compares sizes as remote stores do.
@@ -116,8 +117,7 @@ mod tests {
             glb: vec![byte; 100],
             bounds: Bounds { low: [0.0; 3], high: [1.0; 3] },
             buildings: 1,
-            problems: Vec::new(),
-            problems_left_out: 0,
+            ..Content::default()
         };
         TileFile::write(&store, name, "d".into(), Some(content(7))).expect("room");
         let stopped = Stopped(store);
@@ -137,7 +137,7 @@ mod tests {
             bounds: Bounds { low: [0.1, 0.2, 0.3], high: [1.0 / 3.0, 2.0, 3.0] },
             buildings: 3,
             problems: vec![LotProblem { id: "a".into(), is_lost: true, reason: "why".into() }],
-            problems_left_out: 0,
+            ..Content::default()
         };
         assert_eq!(TileFile::finished(&store, name, "d"), None);
         let written = TileFile::write(&store, name, "d".into(), Some(content)).expect("room");

@@ -7,12 +7,14 @@ use cga_geo::frame::Frame;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::area::Area;
 use crate::cell::Cell;
-use crate::content::content;
+use crate::content::{Form, content};
 use crate::glb_bounds::Bounds;
-use crate::lots::Lots;
+use crate::lots::{Lots, MOST_NEAR};
 use crate::rules::LevelRules;
 use crate::store::Store;
+use crate::surroundings::{Distances, Surroundings};
 use crate::tile_file::TileFile;
 use crate::tileset::Node;
 
@@ -43,18 +45,6 @@ pub struct Block {
     pub error: f64,
 }
 
-/// The root of a city with blocks along the curve, in a cell around them.
-pub fn root(cell: Cell, blocks: impl IntoIterator<Item = Block>) -> Node {
-    let node = |Block { name, cell, bounds: [low, high], error }| Node {
-        frame: Frame::at(cell.middle()),
-        bounds: Bounds { low, high },
-        error,
-        content: Some(name),
-        children: Vec::new(),
-    };
-    Node::around(Frame::at(cell.middle()), blocks.into_iter().map(node).collect())
-}
-
 /// The file of a block. Its folder is three folders below the city.
 fn set(tree: &Node) -> Vec<u8> {
     fn lifted(node: &Node) -> Node {
@@ -76,12 +66,24 @@ pub struct TreeLevel {
     pub lots: u64,
     /// The error in metres where a tile of this level is shown.
     pub error: f64,
+    /// The distances up to which rules find other lots; `None` for rules that find no others.
+    pub neighbours: Option<Distances>,
+    /// True for tiles that share their images.
+    pub shares_images: bool,
+    /// False for tiles without normals.
+    pub has_normals: bool,
 }
 
 impl TreeLevel {
     /// The metres by which positions may move: a centimetre nearby, and a fiftieth of the error far away.
     pub fn accuracy(&self) -> f64 {
         (self.error / 50.0).max(0.01)
+    }
+
+    /// The form of its tiles with at most some bytes.
+    pub fn form(&self, most_bytes: u64) -> Form {
+        let TreeLevel { shares_images, has_normals, .. } = *self;
+        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals }
     }
 }
 
@@ -235,15 +237,16 @@ impl Trees<'_> {
         let Piece { lots, cell, half } = piece;
         let name = format!("tiles/{level}/{cell}{half}.glb");
         let frame = Frame::at(cell.middle());
-        let digest = self.digest(piece, level)?;
+        let around = self.surroundings(piece, level)?;
+        let digest = self.digest(piece, level, around.as_ref())?;
         let finished = TileFile::finished(self.store, &name, &digest);
         let was_finished = finished.is_some();
         let tile = match finished {
             Some(tile) => tile,
             None => {
                 let footprints = self.lots.footprints(lots.clone())?;
-                let TreeLevel { rules, .. } = &self.levels[level];
-                let made = content(&footprints, &frame, rules, self.levels[level].accuracy(), self.most_bytes);
+                let own = &self.levels[level];
+                let made = content(&footprints, around.as_ref(), &frame, &own.rules, own.form(self.most_bytes));
                 TileFile::write(self.store, &name, digest, made)?
             }
         };
@@ -251,15 +254,44 @@ impl Trees<'_> {
         Ok((tile, name, frame))
     }
 
+    /// The lots around the lots of a piece whose rules can ask about them. `None` if no rules ask.
+    fn surroundings(&self, piece: &Piece, level: usize) -> io::Result<Option<Surroundings>> {
+        let TreeLevel { rules, neighbours, .. } = &self.levels[level];
+        let Some(distances) = neighbours.filter(|_| rules.can_ask()) else { return Ok(None) };
+        let own = self.lots.footprints(piece.lots.clone())?;
+        let asking = own.iter().filter(|footprint| rules.asks(footprint)).map(Area::of);
+        let Some(area) = asking.reduce(Area::join) else { return Ok(None) };
+        let near = self.lots.near(&area.around(distances.largest()), piece.lots.clone())?;
+        let (digests, lots) = match near {
+            Some(near) => {
+                let (digests, lots) = near.into_iter().unzip();
+                (digests, Ok(lots))
+            }
+            None => {
+                let metres = distances.largest();
+                let why = format!(
+                    "more than {MOST_NEAR} lots are within {metres} m of its tile; its rules find lots of this tile alone"
+                );
+                (Vec::new(), Err(why))
+            }
+        };
+        Ok(Some(Surroundings { distances, lots, digests }))
+    }
+
     /// The digest of all that a tile depends on.
-    fn digest(&self, piece: &Piece, level: usize) -> io::Result<String> {
+    fn digest(&self, piece: &Piece, level: usize, around: Option<&Surroundings>) -> io::Result<String> {
         let mut digest = blake3::Hasher::new();
-        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 2").as_bytes());
-        digest.update(&self.levels[level].rules.digest).update(&self.most_bytes.to_le_bytes());
-        digest.update(&self.levels[level].accuracy().to_le_bytes());
+        digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 3").as_bytes());
+        let own = &self.levels[level];
+        let Form { accuracy, most_bytes, shares_images, has_normals } = own.form(self.most_bytes);
+        digest.update(&own.rules.digest).update(&most_bytes.to_le_bytes()).update(&accuracy.to_le_bytes());
+        digest.update(&[shares_images, has_normals].map(u8::from));
         digest.update(piece.cell.to_string().as_bytes());
         for entry in self.lots.entries(piece.lots.clone())? {
             digest.update(&entry.digest);
+        }
+        if let Some(around) = around {
+            around.add_to(&mut digest);
         }
         Ok(digest.finalize().to_hex().to_string())
     }
@@ -271,7 +303,7 @@ mod tests {
     use cga_geo::footprint::Footprint;
 
     use super::*;
-    use crate::leftovers::is_tile_or_block;
+    use crate::leftovers::is_made;
     use crate::level::Level;
     use crate::lots::Sorter;
     use crate::rules::Rules;
@@ -297,7 +329,8 @@ mod tests {
         let file = RuleFile::from_text("@StartRule Lot --> extrude(9) X.").expect("good rules");
         let rules = Rules::new(vec![file]).expect("rules").at(&Level::default()).expect("rules");
         let store = Folder(folder.path().join("city"));
-        let levels = [TreeLevel { rules, lots: 2, error: 0.0 }];
+        let levels =
+            [TreeLevel { rules, lots: 2, error: 0.0, neighbours: None, shares_images: true, has_normals: true }];
         let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: u64::MAX, each: &|_| Ok(()) };
         let all = trees.piece(0..8).expect("lots").expect("lots");
         let pieces = trees.cut(all, 4).expect("pieces");
@@ -306,7 +339,7 @@ mod tests {
         assert_eq!(blocks.len(), 2);
         assert_ne!(blocks[0].name, blocks[1].name);
         for block in &blocks {
-            assert!(is_tile_or_block(&block.name), "{}", block.name);
+            assert!(is_made(&block.name), "{}", block.name);
             let set = store.read(&block.name).expect("a file").expect("a file");
             let set = String::from_utf8(set).expect("a text");
             assert_eq!(set.matches(".glb").count(), 2, "{set}");

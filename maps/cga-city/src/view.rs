@@ -114,6 +114,8 @@ fn kind(path: &Path) -> &'static str {
         "js" => "text/javascript",
         "json" => "application/json",
         "glb" => "model/gltf-binary",
+        "png" => "image/png",
+        "jpg" => "image/jpeg",
         _ => "application/octet-stream",
     }
 }

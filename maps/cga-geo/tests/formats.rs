@@ -221,3 +221,35 @@ fn a_broken_line_is_one_lost_row() {
     let lost: Vec<u64> = problems.iter().filter(|problem| problem.is_lost).map(|problem| problem.row).collect();
     assert_eq!((footprints.len(), lost), (3, vec![2, 4]), "{problems:?}");
 }
+
+#[test]
+fn packed_files_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for ending in ["geojson", "geojsonl", "fgb", "shp", "parquet", "zip"] {
+        let path = folder.path().join(format!("lots.{ending}"));
+        for (head, why) in [
+            (&b"PK\x03\x04 and more"[..], "it is a ZIP archive; unpack it first"),
+            (b"\x1f\x8b\x08 and more", "it is a gzip file; unpack it first"),
+        ] {
+            std::fs::write(&path, head).expect("room");
+            assert_eq!(reader::open(&path, &[]).err().as_deref(), Some(why), "{ending}");
+        }
+    }
+}
+
+#[test]
+fn a_feature_with_a_wrong_geometry_has_its_id() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("lots.geojson");
+    let text = r#"{"type":"FeatureCollection","features":[
+        {"type":"Feature","properties":{"id":"a"},"geometry":{"type":"Polygon","coordinates":[9,48]}},
+        {"type":"Feature","id":7,"properties":null,"geometry":{"type":"Polygon","coordinates":[[["9","48"]]]}},
+        {"type":"Feature","id":[8],"properties":[1],"geometry":{"type":"Curve"}},
+        null]}"#;
+    std::fs::write(&path, text).expect("room");
+    let rows: Vec<_> = reader::open(&path, &[]).expect("a file").rows.collect();
+    assert!(rows.iter().all(|row| row.outlines.is_err()) && rows.len() == 4);
+    let (_, _, problems) = surveyed(&path);
+    assert_eq!(problems.iter().map(|problem| problem.id.as_str()).collect::<Vec<_>>()[0], "a");
+    assert_eq!([&rows[1].id, &rows[2].id, &rows[3].id], [&Some("7".to_owned()), &None, &None]);
+}

@@ -56,6 +56,28 @@ function resize() {
 window.addEventListener("resize", resize);
 resize();
 
+/** A value of an object, or of the nearest object around it that has one. */
+function inherited(object, name) {
+    for (let at = object; at; at = at.parent) if (at.userData[name] !== undefined) return at.userData[name];
+    return undefined;
+}
+
+/** The tables and the rows of the features at a hit. */
+async function featuresAt(hit) {
+    const { meshFeatures } = hit.object.userData;
+    if (!meshFeatures) {
+        // A mesh that rules insert several times has nodes with the numbers of their buildings.
+        const building = inherited(hit.object, "building");
+        return building === undefined ? [[], []] : [[0], [building]];
+    }
+    const { geometry } = hit.object;
+    const corner = (number) => new Vector3().fromBufferAttribute(geometry.attributes.position, geometry.index ? geometry.index.getX(number) : number);
+    const triangle = new Triangle(...[0, 1, 2].map((at) => corner(3 * hit.faceIndex + at)));
+    const weights = triangle.getBarycoord(hit.object.worldToLocal(hit.point.clone()), new Vector3());
+    const rows = await meshFeatures.getFeaturesAsync(hit.faceIndex, weights);
+    return [meshFeatures.getFeatureInfo().map((info) => info.propertyTable), rows];
+}
+
 /** The metadata of the building at a place of the page, or null. */
 async function buildingAt(x, y) {
     const caster = new Raycaster();
@@ -63,15 +85,9 @@ async function buildingAt(x, y) {
     caster.setFromCamera(new Vector2((2 * x) / innerWidth - 1, 1 - (2 * y) / innerHeight), camera);
     const [hit] = caster.intersectObject(tiles.group, true);
     if (!hit) return null;
-    const { meshFeatures, structuralMetadata } = hit.object.userData;
-    if (!meshFeatures || !structuralMetadata) return null;
-    const { geometry } = hit.object;
-    const corner = (number) => new Vector3().fromBufferAttribute(geometry.attributes.position, geometry.index ? geometry.index.getX(number) : number);
-    const triangle = new Triangle(...[0, 1, 2].map((at) => corner(3 * hit.faceIndex + at)));
-    const weights = triangle.getBarycoord(hit.object.worldToLocal(hit.point.clone()), new Vector3());
-    const ids = await meshFeatures.getFeaturesAsync(hit.faceIndex, weights);
-    const tables = meshFeatures.getFeatureInfo().map((info) => info.propertyTable);
-    const rows = structuralMetadata.getPropertyTableData(tables, ids);
+    const structuralMetadata = inherited(hit.object, "structuralMetadata");
+    if (!structuralMetadata) return null;
+    const rows = structuralMetadata.getPropertyTableData(...(await featuresAt(hit)));
     const row = rows.find((row) => "seed" in row);
     // Seeds have 64 bits.
     return row ? Object.fromEntries(Object.entries(row).map(([name, value]) => [name, typeof value === "bigint" ? String(value) : value])) : null;

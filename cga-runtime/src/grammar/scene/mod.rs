@@ -2,6 +2,7 @@
 
 mod ghosts;
 mod plan;
+pub mod session;
 pub mod shared;
 
 use std::fmt;
@@ -9,6 +10,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use self::ghosts::{Distances, InSession, SceneRun};
 use self::plan::plan_box;
+use self::session::SceneSession;
 use crate::fault::Error;
 use crate::grammar::Grammar;
 use crate::grammar::grammars::Grammars;
@@ -215,6 +217,27 @@ impl<'s> Scene<'s> {
         }
         let shape = Some(failed_neighbour.unwrap_or(index));
         error.map_or(Ok(report), |error| Err(RunError { shape, error }))
+    }
+
+    /// Opens runs of some initial shapes, one after another on one thread, with sinks of the caller: a tile of a map whose other initial
+    /// shapes are only neighbours.
+    ///
+    /// ```
+    /// # // Rules are compiled by the crate `cga`; its tests run an example.
+    /// # use cga_runtime::facade as cga;
+    /// use cga::{Error, Report, Scene, Settings, Sink};
+    ///
+    /// /// The first `count` initial shapes in one sink.
+    /// fn run(scene: &Scene<'_>, count: usize, sink: &mut dyn Sink) -> Result<Vec<Report>, Error> {
+    ///     let mut session = scene.session(&Settings::default())?;
+    ///     (0..count).map(|index| session.run(index, sink)).collect()
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    /// An attribute is refused, or the start rule is unknown.
+    pub fn session(&self, settings: &Settings) -> Result<SceneSession<'s>, Error> {
+        SceneSession::open(*self, settings)
     }
 
     /// The indices of the initial shapes whose models may change if the one with an index changes: itself, and those whose rules ask about

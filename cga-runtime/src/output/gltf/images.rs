@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use super::binary::BinaryChunk;
 use super::combine;
 use super::json::quoted;
+use super::shared_images::SharedImages;
 use super::textures::{ImageKey, LookTexture};
 use crate::asset::Assets;
 use crate::asset::image::header::ImageKind;
@@ -17,6 +18,7 @@ use crate::output::texture::source::{self, ImageSource};
 pub(super) struct Images<'a> {
     assets: Option<&'a Assets>,
     is_referenced: bool,
+    shared: Option<&'a SharedImages>,
     images: Interner<GltfImage>,
     /// Only for look-ups, never iterated.
     by_key: HashMap<ImageKey, Option<usize>>,
@@ -34,8 +36,9 @@ impl<'a> Images<'a> {
         textures: impl Iterator<Item = &'t LookTexture>,
         assets: Option<&'a Assets>,
         is_referenced: bool,
+        shared: Option<&'a SharedImages>,
     ) -> Self {
-        let mut images = Images { assets, is_referenced, ..Images::default() };
+        let mut images = Images { assets, is_referenced, shared, ..Images::default() };
         for texture in textures {
             images.add(&texture.image, texture.layer.shows_checkers());
         }
@@ -53,14 +56,23 @@ impl<'a> Images<'a> {
             return *known;
         }
         let number = match key {
-            ImageKey::File(name) => self.file(name, shows_checkers).map(|image| self.images.index(image)),
+            ImageKey::File(name) => match self.file(name, shows_checkers) {
+                Some(GltfImage::Embedded { kind, bytes }) => Some(self.whole(kind, bytes)),
+                image => image.map(|image| self.images.index(image)),
+            },
             key => match combine::combined(self.assets, key) {
-                Some(bytes) => Some(self.images.index(GltfImage::Embedded { kind: ImageKind::Png, bytes })),
+                Some(bytes) => Some(self.whole(ImageKind::Png, bytes)),
                 None => key.file().and_then(|name| self.add(&ImageKey::File(name.clone()), shows_checkers)),
             },
         };
         self.by_key.insert(key.clone(), number);
         number
+    }
+
+    /// The number of an image with its bytes: by an address that several files share, or embedded.
+    fn whole(&mut self, kind: ImageKind, bytes: Vec<u8>) -> usize {
+        let address = self.shared.and_then(|shared| shared.address(kind, &bytes));
+        self.images.index(address.map_or(GltfImage::Embedded { kind, bytes }, GltfImage::Referenced))
     }
 
     fn file(&self, name: &str, shows_checkers: bool) -> Option<GltfImage> {

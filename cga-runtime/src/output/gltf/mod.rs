@@ -23,6 +23,7 @@ mod buildings;
 mod combine;
 mod container;
 mod images;
+mod joined;
 mod json;
 mod look;
 mod models;
@@ -33,6 +34,7 @@ mod primitive;
 mod property_table;
 mod quantized;
 mod scene;
+mod shared_images;
 mod single_sided;
 mod streams;
 mod textures;
@@ -52,6 +54,7 @@ use self::primitive::{
     BUILDING_BYTES, INDEX_BYTES, Owner, Primitive, Primitives, QUANTIZED_BYTES, RULE_BYTES, UV_BYTES, VERTEX_BYTES,
 };
 use self::scene::{Division, MeshPlacement, SceneMesh};
+use self::shared_images::SharedImages;
 use self::single_sided::SingleSided;
 use super::error::WriteError;
 use super::flatten::{Flattener, has_one_material};
@@ -90,6 +93,8 @@ pub struct Glb {
     /// The assets that contain the images.
     files: Option<Arc<Assets>>,
     references_images: bool,
+    /// The addresses of images that several files share, if they are wanted.
+    shared_images: Option<SharedImages>,
     name: Option<String>,
     division: Division,
     /// The single-sided materials of closed leaves, if they are wanted.
@@ -102,6 +107,8 @@ pub struct Glb {
     quantization: Option<f64>,
     /// True if vertices have no numbers of rules.
     has_no_rules: bool,
+    /// True if vertices have no normals, and faces share vertices.
+    has_no_normals: bool,
 }
 
 /// The largest 32-bit length of the format, less room for the description.
@@ -214,9 +221,9 @@ impl Glb {
         self
     }
 
-    /// The bytes of vertices and indices so far, at least: [`with_quantization`](Glb::with_quantization) cannot shorten all of them. The
-    /// description, metadata and images come on top. A program that divides its output into
-    /// files can stop when one is full.
+    /// The bytes of vertices and indices so far, at least: [`with_quantization`](Glb::with_quantization) cannot shorten all of them. Corners that
+    /// faces share [without normals](Glb::without_normals) are known at the end, and count for each face. Description, metadata and images
+    /// come on top. A program that divides its output into files can stop when one is full.
     ///
     /// ```
     /// # use cga_runtime::facade as cga;
@@ -281,7 +288,7 @@ impl Glb {
         self.end_buildings(&mut meshes);
         meshes = meshes.into_iter().flat_map(|mesh| mesh.divided(self.division)).collect();
         meshes.retain(|mesh| !mesh.primitives.is_empty());
-        Ok(meshes)
+        self.join_vertices(meshes)
     }
 
     /// Turns assets at several places into separate meshes; the others join the rest.

@@ -47,7 +47,7 @@ const TANGENT: VertexLayout = VertexLayout { kind: "VEC4", component: F32, bytes
 struct Accessors {
     indices: usize,
     position: usize,
-    normal: usize,
+    normal: Option<usize>,
     /// The numbers of rules and of buildings, unless these have nodes of their own.
     rule: Option<usize>,
     building: Option<usize>,
@@ -61,6 +61,7 @@ struct Accessors {
 struct SmallNumbers {
     /// True for normals of bytes, and for indices of 16 bits where they suffice.
     is_wanted: bool,
+    has_normals: bool,
     grid: Option<Grid>,
     /// The number of the first primitives, whose positions are on the grid.
     on_grid: usize,
@@ -69,13 +70,15 @@ struct SmallNumbers {
 pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Container<'a>, WriteError> {
     let flat: Vec<&Primitive> = meshes.iter().flat_map(|mesh| &mesh.primitives).collect();
     let mut binary = BinaryChunk::default();
-    let images = Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images);
+    let images =
+        Images::of(glb.looks.textures(), glb.files.as_deref(), glb.references_images, glb.shared_images.as_ref());
     let rules = Some(glb.numbers.table.rules()).filter(|_| !glb.division.by_rule && !glb.has_no_rules);
     let buildings = Some(&glb.rows[..]).filter(|list| !list.is_empty() && !glb.division.by_building);
     let grid = glb.grid(meshes)?;
     let rooted = meshes.iter().filter(|mesh| matches!(mesh.places, MeshPlacement::Root));
     let small = SmallNumbers {
         is_wanted: glb.quantization.is_some(),
+        has_normals: !glb.has_no_normals,
         grid,
         on_grid: if grid.is_some() { rooted.map(|mesh| mesh.primitives.len()).sum() } else { 0 },
     };
@@ -87,7 +90,8 @@ pub(super) fn pack<'a>(glb: &'a Glb, meshes: &'a [SceneMesh]) -> Result<Containe
         accessors[..owned].iter_mut().zip(first..).for_each(|(own, number)| own.building = Some(number));
     }
     for (primitive, accessors) in flat.iter().copied().zip(&mut accessors) {
-        accessors.tangent = glb.looks.normal_space(primitive.look, &images).map(|space| {
+        let space = glb.looks.normal_space(primitive.look, &images).filter(|_| small.has_normals);
+        accessors.tangent = space.map(|space| {
             binary.stream(
                 &TANGENT,
                 &[primitive],
@@ -177,6 +181,7 @@ fn write_extensions(
 }
 
 fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
+    let normal = at.normal.map_or(String::new(), |normal| format!(",\"NORMAL\":{normal}"));
     let tangent = at.tangent.map_or(String::new(), |tangent| format!(",\"TANGENT\":{tangent}"));
     let uvs: String = (0..primitive.uvs.len()).map(|set| format!(",\"TEXCOORD_{set}\":{}", at.uv + set)).collect();
     let ids = [(at.rule, tables.rules, 0), (at.building, tables.buildings, tables.of_buildings())];
@@ -192,8 +197,8 @@ fn primitive(primitive: &Primitive, at: &Accessors, tables: &Tables) -> String {
         _ => format!(",\"extensions\":{{\"EXT_mesh_features\":{{\"featureIds\":[{}]}}}}", features.join(",")),
     };
     format!(
-        "{{\"attributes\":{{\"POSITION\":{},\"NORMAL\":{}{attributes}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
-        at.position, at.normal, at.indices, primitive.look
+        "{{\"attributes\":{{\"POSITION\":{}{normal}{attributes}{uvs}{tangent}}},\"indices\":{},\"material\":{}{features}}}",
+        at.position, at.indices, primitive.look
     )
 }
 
@@ -232,21 +237,22 @@ impl<'a> BinaryChunk<'a> {
             let first = self.stream(&POINT, others, vertices, &ranges, Primitive::write_positions);
             positions.extend(first..first + others.len());
         }
-        let normal = match small.is_wanted {
+        let normal = small.has_normals.then(|| match small.is_wanted {
             true => {
                 let normalized = vec![",\"normalized\":true".to_owned(); primitives.len()];
                 let write = |p: &Primitive, to: &mut Words<'_>| p.faces.normals(&mut ByteNormals(to));
                 self.stream(&BYTE_NORMAL, primitives, vertices, &normalized, write)
             }
             false => self.stream(&POINT, primitives, vertices, &[], Primitive::write_normals),
-        };
+        });
         let rule = has_rules.then(|| self.stream(&FEATURE, primitives, vertices, &[], Primitive::write_rules));
         let mut uv = self.accessors.len();
         if !lists.is_empty() {
             uv = self.stream(&UV, &lists, |list| list.len(), &[], |list, to| to.floats(list.as_flattened()));
         }
         let accessors = primitives.iter().enumerate().map(|(i, primitive)| {
-            let (indices, position, normal) = (indices + i, positions[i], normal + i);
+            let (indices, position) = (indices + i, positions[i]);
+            let normal = normal.map(|normal| normal + i);
             let rule = rule.map(|rule| rule + i);
             let own = Accessors { indices, position, normal, rule, building: None, uv, tangent: None };
             uv += primitive.uvs.len();

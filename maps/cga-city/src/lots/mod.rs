@@ -1,5 +1,6 @@
 //! Footprints on the disk, sorted along the curve of cells, then by id and digest: memory does not grow with the city.
 
+mod near;
 mod sorter;
 
 use std::fs::File;
@@ -9,7 +10,9 @@ use std::sync::{Mutex, PoisonError};
 
 use cga_geo::footprint::Footprint;
 
-pub use sorter::Sorter;
+pub(crate) use self::near::MOST_NEAR;
+use self::near::{Large, Near};
+pub use self::sorter::Sorter;
 
 /// The bytes of an entry of the index: key, digest, place in the file of footprints.
 const ENTRY: u64 = 8 + 32 + 8;
@@ -20,6 +23,7 @@ pub struct Lots {
     index: Mutex<File>,
     footprints: Mutex<File>,
     count: u64,
+    large: Large,
 }
 
 /// An entry of the index.
@@ -81,6 +85,13 @@ impl Lots {
     /// # Errors
     /// Errors of the file system.
     pub fn footprints(&self, range: Range<u64>) -> io::Result<Vec<Footprint>> {
+        let mut footprints = self.with_digests(range)?;
+        footprints.sort_by(|(a_digest, a), (b_digest, b)| a.id.cmp(&b.id).then(a_digest.cmp(b_digest)));
+        Ok(footprints.into_iter().map(|(_, footprint)| footprint).collect())
+    }
+
+    /// The footprints of a range with their digests, by number.
+    fn with_digests(&self, range: Range<u64>) -> io::Result<Vec<Near>> {
         let entries = self.entries(range.start..range.end + 1)?;
         let (Some(first), Some(last)) = (entries.first(), entries.last()) else { return Ok(Vec::new()) };
         let bytes = read(&self.footprints, first.offset..last.offset)?;
@@ -91,9 +102,7 @@ impl Lots {
                 Footprint::from_bytes(footprint).map_err(|why| io::Error::new(io::ErrorKind::InvalidData, why))?;
             Ok((pair[0].digest, footprint))
         };
-        let mut footprints = entries.windows(2).map(footprint).collect::<io::Result<Vec<_>>>()?;
-        footprints.sort_by(|(a_digest, a), (b_digest, b)| a.id.cmp(&b.id).then(a_digest.cmp(b_digest)));
-        Ok(footprints.into_iter().map(|(_, footprint)| footprint).collect())
+        entries.windows(2).map(footprint).collect()
     }
 }
 

@@ -9,7 +9,9 @@ use std::sync::Mutex;
 
 use cga_geo::footprint::Footprint;
 
+use super::near::Large;
 use super::{Entry, Lots};
+use crate::area::Area;
 use crate::cell;
 
 /// The bytes of a run in memory.
@@ -35,6 +37,8 @@ struct Item {
     id: String,
     digest: [u8; 32],
     footprint: Vec<u8>,
+    /// Its size; see [`Area::class`].
+    class: u8,
 }
 
 impl Sorter {
@@ -58,7 +62,9 @@ impl Sorter {
         let bytes = footprint.to_bytes();
         let digest = *blake3::hash(&bytes).as_bytes();
         self.bytes += bytes.len() + footprint.id.len() + ITEM_BYTES;
-        self.run.push(Item { key: cell::key(footprint.middle()), id: footprint.id.clone(), digest, footprint: bytes });
+        let (middle, id) = (footprint.middle(), footprint.id.clone());
+        let class = Area::of(footprint).class(middle);
+        self.run.push(Item { key: cell::key(middle), id, digest, footprint: bytes, class });
         if self.most_bytes <= self.bytes {
             self.end_run()?;
         }
@@ -105,6 +111,7 @@ impl Item {
     fn write(&self, out: &mut impl Write) -> io::Result<()> {
         out.write_all(&self.key.to_le_bytes())?;
         out.write_all(&self.digest)?;
+        out.write_all(&[self.class])?;
         for bytes in [self.id.as_bytes(), &self.footprint] {
             out.write_all(&(bytes.len() as u64).to_le_bytes())?;
             out.write_all(bytes)?;
@@ -119,8 +126,9 @@ impl Item {
             Err(why) if why.kind() == ErrorKind::UnexpectedEof => return Ok(None),
             read => read?,
         }
-        let mut digest = [0; 32];
+        let (mut digest, mut class) = ([0; 32], [0]);
         input.read_exact(&mut digest)?;
+        input.read_exact(&mut class)?;
         let mut text = || {
             let mut length = [0; 8];
             input.read_exact(&mut length)?;
@@ -129,7 +137,8 @@ impl Item {
             Ok::<_, io::Error>(bytes)
         };
         let id = String::from_utf8(text()?).map_err(|_| ErrorKind::InvalidData)?;
-        Ok(Some(Item { key: u64::from_le_bytes(key), id, digest, footprint: text()? }))
+        let [class] = class;
+        Ok(Some(Item { key: u64::from_le_bytes(key), id, digest, footprint: text()?, class }))
     }
 }
 
@@ -139,6 +148,7 @@ struct Output {
     footprints: BufWriter<File>,
     offset: u64,
     count: u64,
+    large: Large,
 }
 
 impl Output {
@@ -147,13 +157,20 @@ impl Output {
             let path = folder.join(name);
             File::options().read(true).write(true).create(true).truncate(true).open(path).map(BufWriter::new)
         };
-        Ok(Output { index: create("index")?, footprints: create("footprints")?, offset: 0, count: 0 })
+        Ok(Output {
+            index: create("index")?,
+            footprints: create("footprints")?,
+            offset: 0,
+            count: 0,
+            large: Large::default(),
+        })
     }
 
     fn add(&mut self, item: &Item) -> io::Result<()> {
         Entry { key: item.key, digest: item.digest, offset: self.offset }.write(&mut self.index)?;
         self.footprints.write_all(&item.footprint)?;
         self.offset += item.footprint.len() as u64;
+        self.large.add(item.class, item.key, self.count);
         self.count += 1;
         Ok(())
     }
@@ -166,7 +183,8 @@ impl Output {
             file.rewind()?;
             Ok::<_, io::Error>(Mutex::new(file))
         };
-        Ok(Lots { index: file(self.index)?, footprints: file(self.footprints)?, count: self.count })
+        let (index, footprints) = (file(self.index)?, file(self.footprints)?);
+        Ok(Lots { index, footprints, count: self.count, large: self.large })
     }
 }
 

@@ -184,3 +184,34 @@ fn lots_are_near_the_middle_of_their_tile_wherever_they_are() {
         assert!(0 < count, "the tiles have boxes");
     }
 }
+
+#[test]
+fn far_tiles_without_normals_are_small_and_have_all_buildings() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, lit, plain) = (folder.path().join("town.fgb"), folder.path().join("lit"), folder.path().join("plain"));
+    Town::new(400).write(&lots).expect("room");
+    let make = |out: &Path, plain_far: bool| {
+        let options = Options { plain_far, lots_per_tile: 256, ..options() };
+        build(&lots, out, &rules(), options, &NoProgress).expect("a city")
+    };
+    let (first, second) = (make(&lit, false), make(&plain, true));
+    assert_eq!(first.levels[0], second.levels[0]);
+    let each = |summary: &cga_city::build::Summary| summary.levels[1].bytes / summary.levels[1].buildings;
+    assert!(each(&second) <= 330 && 3 * each(&second) < 2 * each(&first), "{} {}", each(&first), each(&second));
+    for (name, bytes) in files(&plain).iter().filter(|(name, _)| name.ends_with(".glb")) {
+        let text = cga_city::glb_bounds::json(bytes).expect("GLB").to_string();
+        assert_eq!(text.contains("NORMAL"), is_tile(name, 0), "{name}");
+    }
+    let names = |out: &Path| {
+        let far = files(out).into_iter().filter(|(name, _)| is_tile(name, 1));
+        let buildings = far.flat_map(|(_, bytes)| crate::glb::Glb::new(&bytes).buildings());
+        buildings.map(|building| (building.name, building.y.map(f32::round))).collect::<Vec<_>>()
+    };
+    assert_eq!(names(&plain).len() as u64, second.levels[1].buildings);
+    let sorted = |out: &Path| {
+        let mut list = names(out);
+        list.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+        list
+    };
+    assert_eq!(sorted(&plain), sorted(&lit));
+}

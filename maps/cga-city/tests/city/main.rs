@@ -3,7 +3,10 @@
 mod formats;
 mod glb;
 mod hostile;
+mod images;
+mod inserted;
 mod levels;
+mod neighbours;
 mod resumed;
 mod town;
 mod validator;

@@ -4,9 +4,11 @@
 use std::path::Path;
 use std::process::Command;
 
+use cga_city::build::{NoProgress, Options};
 use cga_geo::synthetic::Town;
 
-use crate::town::{city, files};
+use crate::images::bricks;
+use crate::town::{build, city, files, options, rules};
 
 #[test]
 fn the_khronos_validator_finds_no_error_in_tiles() {
@@ -16,11 +18,16 @@ fn the_khronos_validator_finds_no_error_in_tiles() {
         return;
     }
     let folder = tempfile::tempdir().expect("a folder");
-    let (lots, out) = (folder.path().join("town.fgb"), folder.path().join("out"));
+    let lots = folder.path().join("town.fgb");
     Town::new(1000).write(&lots).expect("room");
-    city(&lots, &out);
-    let tiles: Vec<_> =
-        files(&out).into_keys().filter(|name| name.ends_with(".glb")).map(|name| out.join(name)).collect();
+    let [usual, images, plain] = ["usual", "images", "plain"].map(|name| folder.path().join(name));
+    city(&lots, &usual);
+    build(&lots, &images, &bricks(), options(), &NoProgress).expect("a city");
+    build(&lots, &plain, &rules(), Options { plain_far: true, ..options() }, &NoProgress).expect("a city");
+    let tiles: Vec<_> = [usual, images, plain]
+        .iter()
+        .flat_map(|out| files(out).into_keys().filter(|name| name.ends_with(".glb")).map(|name| out.join(name)))
+        .collect();
     let run = Command::new("node").arg(tools.join("validate.mjs")).args(&tiles).output().expect("node");
     let text = String::from_utf8_lossy(&run.stdout);
     assert!(run.status.success(), "{text}{}", String::from_utf8_lossy(&run.stderr));

@@ -2,7 +2,7 @@
 
 use std::io::{self, BufRead, Read as _, Seek, SeekFrom};
 
-use ::geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonValue, Position};
+use ::geojson::{Feature, GeoJson, Geometry, GeometryValue, JsonObject, JsonValue, Position};
 
 use super::json_objects::Part;
 use super::json_records::JsonRecords;
@@ -100,15 +100,19 @@ fn row(number: u64, text: &[u8], is_degrees: bool) -> Row {
         Err(why) => {
             let has_nan = text.windows(3).any(|word| word == b"NaN");
             let hint = if has_nan { "; `NaN` is not JSON" } else { "" };
-            return Row::new(number, Err(format!("it is not GeoJSON: {why}{hint}")));
+            // A feature with a wrong geometry may have an id, by which its file is mended.
+            let object: JsonValue = serde_json::from_slice(text).unwrap_or_default();
+            let id = Some(&object["id"]).filter(|id| id.is_string() || id.is_number()).and_then(column);
+            let columns = columns(object["properties"].as_object());
+            let id = id.map(|id| id.to_string());
+            return Row { id, columns, ..Row::new(number, Err(format!("it is not GeoJSON: {why}{hint}"))) };
         }
     };
     let id = feature.id.as_ref().map(|id| match id {
         ::geojson::feature::Id::String(id) => id.clone(),
         ::geojson::feature::Id::Number(id) => id.to_string(),
     });
-    let columns = feature.properties.iter().flatten().filter_map(|(name, value)| Some((name.clone(), column(value)?)));
-    let columns = columns.collect();
+    let columns = columns(feature.properties.as_ref());
     let mut notes = Vec::new();
     let outlines = match &feature.geometry {
         Some(geometry) => outlines(geometry, &mut notes),
@@ -140,6 +144,11 @@ fn feature(text: &str) -> Result<Feature, String> {
         GeoJson::Geometry(geometry) => Ok(Feature::from(geometry)),
         GeoJson::FeatureCollection(_) => Err("a collection inside of a collection".to_owned()),
     }
+}
+
+fn columns(properties: Option<&JsonObject>) -> Vec<(String, ColumnValue)> {
+    let columns = properties.into_iter().flatten();
+    columns.filter_map(|(name, value)| Some((name.clone(), column(value)?))).collect()
 }
 
 fn column(value: &JsonValue) -> Option<ColumnValue> {

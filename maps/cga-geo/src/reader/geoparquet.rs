@@ -1,22 +1,25 @@
-//! GeoParquet 1.0 and 1.1 with geometries as WKB.
+//! GeoParquet 1.0 and 1.1, with geometries as WKB or in lists of coordinates.
 
 use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
 use geozero::wkb::process_wkb_geom;
-use parquet::basic::ConvertedType;
+use parquet::basic::{ConvertedType, LogicalType};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::reader::RowIter;
 use parquet::record::{Field, Row as Record};
 use parquet::schema::types::Type;
-use serde_json::Value as Json;
+use serde_json::{Value as Json, json};
 
 use super::collector::Collector;
+use super::parquet_native::NativePolygons;
 use super::quiet::quiet;
 use super::{FileCrs, MapFile, parquet_text};
 use crate::column::ColumnValue;
+use crate::crs::WGS_84;
 use crate::outline::Outline;
+use crate::plain::plain;
 use crate::row::Row;
 
 /// The column of geometries of a file.
@@ -26,22 +29,78 @@ pub struct Geometry {
     pub column: String,
     /// Its coordinate system.
     pub crs: FileCrs,
+    /// Its encoding.
+    pub encoding: Encoding,
+}
+
+/// The encoding of the geometries of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Encoding {
+    /// Well-known binary.
+    Wkb,
+    /// Lists of rings of corners.
+    Polygon,
+    /// Lists of polygons.
+    MultiPolygon,
+    /// Geometries that are not polygons, by the name of their type.
+    Other(&'static str),
+}
+
+impl Encoding {
+    fn of(name: &str) -> Option<Self> {
+        Some(match name {
+            "WKB" => Encoding::Wkb,
+            "polygon" => Encoding::Polygon,
+            "multipolygon" => Encoding::MultiPolygon,
+            "point" => Encoding::Other("Point"),
+            "multipoint" => Encoding::Other("MultiPoint"),
+            "linestring" => Encoding::Other("LineString"),
+            "multilinestring" => Encoding::Other("MultiLineString"),
+            _ => return None,
+        })
+    }
 }
 
 impl Geometry {
     /// The column that the member `geo` of the file's metadata names. Without the member it is `geometry`.
     ///
     /// # Errors
-    /// The member is not JSON, or the geometries are not WKB.
+    /// The member is not JSON, or the encoding of the geometries is not known.
     pub fn of(geo: Option<&str>) -> Result<Self, String> {
         let geo: Json =
             geo.map_or(Ok(Json::Null), serde_json::from_str).map_err(|why| format!("its member `geo`: {why}"))?;
         let column = geo["primary_column"].as_str().unwrap_or("geometry").to_owned();
         let about = &geo["columns"][&column];
-        if let Some(encoding) = about["encoding"].as_str().filter(|encoding| *encoding != "WKB") {
-            return Err(format!("its geometries are encoded as {encoding}; write them as WKB"));
-        }
-        Ok(Geometry { crs: crs(about), column })
+        let name = about["encoding"].as_str().unwrap_or("WKB");
+        let Some(encoding) = Encoding::of(name) else {
+            return Err(format!("its geometries are encoded as {}; write them as WKB", plain(name, 60)));
+        };
+        Ok(Geometry { crs: crs(about), column, encoding })
+    }
+
+    /// The first column whose type is a geometry of Parquet itself, for files without the member `geo`.
+    fn of_type(schema: &Type) -> Option<Self> {
+        let geometry = |field: &Arc<Type>| {
+            let crs = match field.get_basic_info().logical_type_ref()? {
+                LogicalType::Geometry(geometry) => &geometry.crs,
+                LogicalType::Geography(geography) => &geography.crs,
+                _ => return None,
+            };
+            let crs = crs.as_deref().map_or(FileCrs::Epsg(WGS_84), crs_of_type);
+            Some(Geometry { column: field.name().to_owned(), crs, encoding: Encoding::Wkb })
+        };
+        schema.get_fields().iter().find_map(geometry)
+    }
+
+    /// Checks that geometries are WKB, for readers that know nothing else.
+    ///
+    /// # Errors
+    /// A sentence with the encoding.
+    pub fn check_wkb(&self) -> Result<(), String> {
+        let is_wkb = self.encoding == Encoding::Wkb;
+        is_wkb
+            .then_some(())
+            .ok_or_else(|| format!("its geometries are encoded as {:?}; write them as WKB", self.encoding))
     }
 }
 
@@ -61,30 +120,43 @@ pub fn outlines(wkb: &[u8], notes: &mut Vec<String>) -> Result<Vec<Outline>, Str
 /// `names.primary`.
 ///
 /// # Errors
-/// The file is not Parquet, or its geometries are not WKB.
+/// The file is not Parquet, or the encoding of its geometries is not known.
 pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     let file = File::open(path).map_err(|why| why.to_string())?;
     let reader = SerializedFileReader::new(file).map_err(|why| format!("it is not Parquet: {why}"))?;
     let metadata = reader.metadata().file_metadata();
     let geo = metadata.key_value_metadata().into_iter().flatten().find(|entry| entry.key == "geo");
     let geo = geo.and_then(|entry| entry.value.as_deref());
-    let Geometry { column: geometry, crs } = Geometry::of(geo)?;
     let schema = metadata.schema();
+    let typed = geo.is_none().then(|| Geometry::of_type(schema)).flatten();
+    let Geometry { column: geometry, crs, encoding } = typed.map_or_else(|| Geometry::of(geo), Ok)?;
     let mut known = Vec::new();
     let others = schema.get_fields().iter().filter(|field| field.name() != geometry);
     others.for_each(|field| add_names(&mut known, String::new(), field));
+    let is_wkb = encoding == Encoding::Wkb;
     let wanted = |name: &str| {
-        name == geometry || columns.iter().any(|column| column == name || column.starts_with(&format!("{name}.")))
+        (name == geometry && is_wkb)
+            || columns.iter().any(|column| column == name || column.starts_with(&format!("{name}.")))
     };
     let fields: Vec<_> = schema.get_fields().iter().filter(|field| wanted(field.name())).cloned().collect();
-    if !fields.iter().any(|field| field.name() == geometry) {
+    if !schema.get_fields().iter().any(|field| field.name() == geometry) {
         return Err(format!("it has no column `{geometry}`"));
     }
     let projection = Type::group_type_builder(schema.name()).with_fields(fields).build();
     let projection = projection.map_err(|why| why.to_string())?;
     let count = u64::try_from(metadata.num_rows()).unwrap_or_default();
+    let polygons = match encoding {
+        Encoding::Wkb => Polygons::Wkb,
+        Encoding::Polygon => Polygons::Native(Box::new(NativePolygons::open(path, &geometry, 2)?)),
+        Encoding::MultiPolygon => Polygons::Native(Box::new(NativePolygons::open(path, &geometry, 3)?)),
+        Encoding::Other(kind) => Polygons::Other(kind),
+    };
+    // A file without a column for the rules has no records to read.
+    let has_records = is_wkb || !projection.get_fields().is_empty();
     let rows = RowIter::from_file_into(Box::new(reader)).project(Some(projection)).map_err(|why| why.to_string())?;
-    Ok(MapFile::new(Rows { rows, geometry: geometry.into(), number: 0, count, is_over: false }, crs, Some(known)))
+    let rows = has_records.then_some(rows);
+    let geometry = geometry.into();
+    Ok(MapFile::new(Rows { rows, geometry, polygons, number: 0, count, is_over: false }, crs, Some(known)))
 }
 
 /// Adds the names of the columns of a field. The members of a group have names with dots.
@@ -101,18 +173,45 @@ fn add_names(names: &mut Vec<String>, outer: String, field: &Type) {
 /// The coordinate system of a geometry column, in PROJJSON. Without one it is longitude and latitude.
 fn crs(about: &Json) -> FileCrs {
     match about.get("crs") {
-        None => FileCrs::Epsg(4326),
+        None => FileCrs::Epsg(WGS_84),
         Some(Json::Null) => FileCrs::None,
         Some(crs) => match (crs["id"]["authority"].as_str(), &crs["id"]["code"]) {
             (Some("EPSG"), code) if code.is_u64() => FileCrs::Epsg(code.as_u64().unwrap_or_default() as u32),
-            (Some("OGC"), code) if code == "CRS84" => FileCrs::Epsg(4326),
+            (Some("OGC"), code) if code == "CRS84" => FileCrs::Epsg(WGS_84),
             _ => FileCrs::Unknown(crs["name"].as_str().unwrap_or("without a name").to_owned()),
         },
     }
 }
 
+/// The polygons of rows.
+enum Polygons {
+    /// A value of the record.
+    Wkb,
+    Native(Box<NativePolygons>),
+    /// Geometries of another type.
+    Other(&'static str),
+}
+
+/// The coordinate system of a type of Parquet: `OGC:CRS84`, `EPSG:25832`, `srid:25832`, or PROJJSON.
+fn crs_of_type(text: &str) -> FileCrs {
+    if let Ok(json) = serde_json::from_str::<Json>(text)
+        && json.is_object()
+    {
+        return crs(&json!({ "crs": json }));
+    }
+    match text.split_once(':').map(|(authority, code)| (authority.to_lowercase(), code)) {
+        Some((authority, "CRS84")) if authority == "ogc" => FileCrs::Epsg(WGS_84),
+        Some((authority, code)) if ["epsg", "srid"].contains(&authority.as_str()) => {
+            code.parse().map_or_else(|_| FileCrs::Unknown(text.to_owned()), FileCrs::Epsg)
+        }
+        _ => FileCrs::Unknown(text.to_owned()),
+    }
+}
+
 struct Rows {
-    rows: RowIter<'static>,
+    /// The columns of the rows, if some are read.
+    rows: Option<RowIter<'static>>,
+    polygons: Polygons,
     geometry: Arc<str>,
     /// The number of rows so far.
     number: u64,
@@ -130,11 +229,22 @@ impl Iterator for Rows {
         }
         let before = self.number;
         self.number += 1;
-        match self.rows.next() {
-            Some(Ok(record)) => Some(row(self.number, &self.geometry, record)),
-            Some(Err(why)) => Some(self.end(before, &why.to_string())),
-            None => Some(self.end(before, "further rows are missing")),
+        let record = match self.rows.as_mut().map(Iterator::next) {
+            None => None,
+            Some(Some(Ok(record))) => Some(record),
+            Some(Some(Err(why))) => return Some(self.end(before, &why.to_string())),
+            Some(None) => return Some(self.end(before, "further rows are missing")),
+        };
+        let mut row = row(self.number, &self.geometry, record);
+        match &mut self.polygons {
+            Polygons::Wkb => {}
+            Polygons::Native(polygons) => match polygons.next_row() {
+                Ok(outlines) => row.outlines = outlines,
+                Err(why) => return Some(self.end(before, &why)),
+            },
+            Polygons::Other(kind) => row.outlines = Err(format!("a {kind} is not a polygon")),
         }
+        Some(row)
     }
 }
 
@@ -146,9 +256,9 @@ impl Rows {
     }
 }
 
-fn row(number: u64, geometry: &str, record: Record) -> Row {
+fn row(number: u64, geometry: &str, record: Option<Record>) -> Row {
     let (mut outlines, mut columns, mut notes) = (Err("it has no geometry".to_owned()), Vec::new(), Vec::new());
-    for (name, field) in record.into_columns() {
+    for (name, field) in record.into_iter().flat_map(Record::into_columns) {
         if name == geometry {
             outlines = polygons(&field, &mut notes);
         } else {

@@ -16,11 +16,14 @@ mod json_objects;
 #[cfg(feature = "geojson")]
 mod json_records;
 #[cfg(feature = "geoparquet")]
+mod parquet_native;
+#[cfg(feature = "geoparquet")]
 pub mod parquet_text;
 mod quiet;
 #[cfg(feature = "shapefile")]
 pub mod shapefile;
 
+use std::io::Read as _;
 use std::path::Path;
 
 use self::quiet::quiet;
@@ -92,7 +95,28 @@ const ALL_ENDINGS: [&str; 9] =
 /// A sentence: the ending is another one, or the file cannot be read.
 pub fn open(path: &Path, columns: &[String]) -> Result<MapFile, String> {
     path.metadata().map_err(|error| missing::unopened(path, &error, &ALL_ENDINGS))?;
+    if let Some(kind) = packed(path) {
+        return Err(format!("it is {kind}; unpack it first"));
+    }
     quiet(|| open_unguarded(path, columns)).unwrap_or_else(|| Err("it is damaged".to_owned()))
+}
+
+/// The kind of a file that is packed, as many maps are.
+fn packed(path: &Path) -> Option<&'static str> {
+    if !path.is_file() {
+        return None;
+    }
+    let mut head = [0; 6];
+    let mut file = std::fs::File::open(path).ok()?;
+    file.read_exact(&mut head).ok()?;
+    Some(match head {
+        [b'P', b'K', 3 | 5, ..] => "a ZIP archive",
+        [0x1f, 0x8b, ..] => "a gzip file",
+        [0xfd, b'7', b'z', b'X', b'Z', 0] => "an xz file",
+        [b'7', b'z', 0xbc, 0xaf, ..] => "a 7z archive",
+        [0x28, 0xb5, 0x2f, 0xfd, ..] => "a Zstandard file",
+        _ => return None,
+    })
 }
 
 fn open_unguarded(path: &Path, columns: &[String]) -> Result<MapFile, String> {

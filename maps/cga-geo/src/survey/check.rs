@@ -3,7 +3,7 @@
 use super::crossing::crossing;
 use crate::crs::Crs;
 use crate::frame::metres_a_degree;
-use crate::outline::{Corner, Outline, twice_area};
+use crate::outline::{Corner, Outline, contains, twice_area};
 
 /// The largest extent of a footprint in metres. A corner further away is a mistake of its file.
 const MOST_METRES: f64 = 20_000.0;
@@ -26,6 +26,8 @@ pub(super) struct Checked {
     pub(super) place: Vec<Corner>,
     /// The number of holes without an area.
     pub(super) holes_lost: usize,
+    /// The number of holes that are outside of the outline or inside of other holes.
+    pub(super) holes_misplaced: usize,
     /// A sign that the coordinate system is a wrong one.
     pub(super) note: Option<String>,
 }
@@ -44,14 +46,32 @@ pub(super) fn check(outline: &Outline, crs: &Crs) -> Result<Checked, String> {
     let Some(first) = own.first().map(|ring| ring[0]) else { return Err("it has an empty polygon".to_owned()) };
     let reference = crs.degrees(first)?[0];
     let rings = own.iter().enumerate().map(|(number, ring)| Ok(wound(degrees(ring, crs, reference)?, number == 0)));
-    let rings = rings.collect::<Result<Vec<_>, String>>()?;
+    let mut rings = rings.collect::<Result<Vec<_>, String>>()?;
     let metres = extent(&rings[0])?;
     if let Some([longitude, latitude]) = crossing(&rings) {
         return Err(format!("its edges cross near longitude {longitude:.6}, latitude {latitude:.6}"));
     }
     let holes_lost = outline.rings.len() - own.len();
+    let holes_misplaced = remove_misplaced_holes(&mut rings);
     let note = doubt(metres, rings[0][0][0], crs);
-    Ok(Checked { rings, place: own.swap_remove(0), holes_lost, note })
+    Ok(Checked { rings, place: own.swap_remove(0), holes_lost, holes_misplaced, note })
+}
+
+/// Removes holes that are outside of the outline or inside of other holes, and returns their number. Edges do not cross, but rings may touch at
+/// corners; such a corner may count as inside or outside.
+fn remove_misplaced_holes(rings: &mut Vec<Vec<Corner>>) -> usize {
+    let is_misplaced = |hole: usize| {
+        let is_in = |ring: &[Corner]| rings[hole].iter().filter(|corner| contains(ring, **corner)).count();
+        let area = |ring: usize| twice_area(&rings[ring]).abs();
+        let is_around = |other: &usize| area(hole) < area(*other) && 2 * is_in(&rings[*other]) > rings[hole].len();
+        is_in(&rings[0]) == 0
+            || area(0) < area(hole)
+            || (1..rings.len()).filter(|ring| *ring != hole).any(|ring| is_around(&ring))
+    };
+    let misplaced: Vec<bool> = (0..rings.len()).map(|ring| ring != 0 && is_misplaced(ring)).collect();
+    let mut misplaced_ring = misplaced.iter();
+    rings.retain(|_| misplaced_ring.next() != Some(&true));
+    misplaced.into_iter().filter(|is_misplaced| *is_misplaced).count()
 }
 
 /// A sentence if the coordinate system is probably a wrong one, by the extent of an outline in metres and its longitude.

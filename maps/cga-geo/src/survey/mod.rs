@@ -5,13 +5,14 @@ mod crossing;
 
 use std::sync::Arc;
 
-use cga::Grammar;
+use cga::{Attribute, ChoiceValues, Grammar, Value};
 use serde::{Deserialize, Serialize};
 
 use self::check::{Checked, check};
 use crate::column::ColumnValue;
 use crate::crs::Crs;
 use crate::footprint::Footprint;
+use crate::frame::Frame;
 use crate::outline::{Corner, HEIGHTS, Outline};
 use crate::plain::plain;
 use crate::row::Row;
@@ -141,24 +142,25 @@ impl<'g> Surveyor<'g> {
             None => Some(self.grammars[0]),
             Some(name) => self.grammars.iter().find(|grammar| grammar.name() == name).copied(),
         };
-        let Some(grammar) = grammar else {
+        let Some(own_grammar) = grammar else {
             let known: Vec<&str> = self.grammars.iter().map(|grammar| grammar.name()).collect();
             let name = plain(&grammar_name.unwrap_or_default(), MOST_SHOWN);
             problem(true, format!("`{name}` is not one of the grammars {}", known.join(", ")));
             return survey;
         };
         let start = text(&self.columns.start);
-        if let Some(rule) = start.as_ref().filter(|rule| !grammar.start_rules().iter().any(|known| known.name.is(rule)))
+        if let Some(rule) =
+            start.as_ref().filter(|rule| !own_grammar.start_rules().iter().any(|known| known.name.is(rule)))
         {
-            problem(true, format!("`{}` is not a start rule of `{}`", plain(rule, MOST_SHOWN), grammar.name()));
+            problem(true, format!("`{}` is not a start rule of `{}`", plain(rule, MOST_SHOWN), own_grammar.name()));
             return survey;
         }
-        let values = self.values(&row, grammar, &mut |why| problem(false, why));
+        let values = self.values(&row, own_grammar, &mut |why| problem(false, why));
         let count = outlines.len();
         let mut footprints = Vec::new();
         for (part, outline) in outlines.iter().enumerate() {
             let label = |why: String| if count == 1 { why } else { format!("polygon {} of {count}: {why}", part + 1) };
-            let Checked { rings, place, holes_lost, note } = match check(outline, &self.crs) {
+            let Checked { rings, place, holes_lost, holes_misplaced, note } = match check(outline, &self.crs) {
                 Ok(checked) => checked,
                 Err(why) => {
                     problem(true, label(why));
@@ -167,6 +169,11 @@ impl<'g> Surveyor<'g> {
             };
             if 0 < holes_lost {
                 problem(false, label(format!("{holes_lost} holes without an area were left out")));
+            }
+            if 0 < holes_misplaced {
+                let why =
+                    format!("{holes_misplaced} holes outside of the outline or inside of other holes were left out");
+                problem(false, label(why));
             }
             note.into_iter().for_each(|note| problem(false, label(note)));
             if let Some(height) = outline.wrong_height.filter(|_| self.terrain.is_none()) {
@@ -181,7 +188,15 @@ impl<'g> Surveyor<'g> {
                 values.push((name.clone(), ColumnValue::Number(rise)));
             }
             let (grammar, start, id) = (grammar_name.clone(), start.clone(), id.clone());
-            footprints.push(Footprint { seed: seed(&id, part, &rings), id, grammar, start, values, rings, base });
+            let footprint = Footprint { seed: seed(&id, part, &rings), id, grammar, start, values, rings, base };
+            // A tile would report the polygon, too, but without its row.
+            if 1 < footprint.rings.len()
+                && let Err(why) = footprint.lot(own_grammar, &Frame::at(footprint.middle()))
+            {
+                problem(true, label(why.to_string()));
+                continue;
+            }
+            footprints.push(footprint);
         }
         survey.footprints = footprints;
         survey
@@ -204,7 +219,10 @@ impl<'g> Surveyor<'g> {
             let column = given.map_or(name, |(column, _)| column);
             let Some(value) = row.column(column) else { continue };
             match value.to_value(attribute.ty) {
-                Some(value) => values.push((name.to_owned(), ColumnValue::of_value(&value))),
+                Some(value) => match refusal(attribute, &value) {
+                    Some(why) => problem(format!("its column `{column}` is left out: {why}")),
+                    None => values.push((name.to_owned(), ColumnValue::of_value(&value))),
+                },
                 None => {
                     let value = plain(&value.to_string(), MOST_SHOWN);
                     problem(format!("its column `{column}` is left out: `{value}` is not {}", attribute.ty));
@@ -228,6 +246,25 @@ impl<'g> Surveyor<'g> {
             _ => (outline.height.unwrap_or_default(), 0.0),
         }
     }
+}
+
+/// The reason why an attribute refuses a number or a text. Runs check lists, and choices that are the value of another attribute.
+fn refusal(attribute: &Attribute, value: &Value) -> Option<String> {
+    let shown = || plain(&value.to_string(), MOST_SHOWN);
+    if let (Value::Float(number), Some(range)) = (value, &attribute.range)
+        && range.restricted
+        && !range.contains(*number)
+    {
+        return Some(format!("`{}` is not from {} to {}", shown(), range.min, range.max));
+    }
+    let choices = attribute.choices.as_ref().filter(|choices| choices.restricted)?;
+    let known: Vec<Value> = match (&choices.values, value) {
+        (ChoiceValues::Floats(list), Value::Float(_)) => list.iter().map(|number| Value::Float(*number)).collect(),
+        (ChoiceValues::Texts(list), Value::Text(_)) => list.iter().map(|text| Value::Text(text.clone())).collect(),
+        _ => return None,
+    };
+    let names = || known.iter().map(Value::to_string).collect::<Vec<_>>().join(", ");
+    (!known.contains(value)).then(|| format!("`{}` is not one of {}", shown(), names()))
 }
 
 /// The seed of a polygon of a row.

@@ -7,6 +7,8 @@ cga::cga! {
     attr height = 9
     attr kind = "home"
     attr rise = 0
+    @Range(min = 1, max = 90) attr floors = 3
+    @Enum("flat", "hip") attr roof = "hip"
     @StartRule Lot --> extrude(height) X.
     @StartRule Garden --> Lawn.
 }
@@ -167,6 +169,55 @@ fn a_height_beyond_the_earth_is_left_out() {
     assert_eq!(survey.problems.len(), 1);
     let why = "a height of 1e300 m is left out: heights are from -12000 m to 100000 m";
     assert_eq!(survey.problems[0].reason, why);
+}
+
+#[test]
+fn values_that_an_attribute_refuses_are_problems_of_their_row() {
+    let mut given = row(vec![SQUARE.to_vec()]);
+    let text = |text: &str| ColumnValue::Text(text.into());
+    given.columns = vec![("floors".into(), ColumnValue::Number(900.0)), ("roof".into(), text("dome"))];
+    let found = survey(given.clone());
+    let reasons: Vec<&str> = found.problems.iter().map(|problem| problem.reason.as_str()).collect();
+    let expected = [
+        "its column `floors` is left out: `900` is not from 1 to 90",
+        "its column `roof` is left out: `dome` is not one of flat, hip",
+    ];
+    assert_eq!(reasons, expected);
+    assert!(found.footprints[0].values.is_empty() && found.problems.iter().all(|problem| !problem.is_lost));
+    for (column, value) in [("floors", ColumnValue::Number(f64::NAN)), ("floors", text("inf"))] {
+        given.columns = vec![(column.into(), value)];
+        assert_eq!(survey(given.clone()).problems.len(), 1);
+    }
+    given.columns = vec![("floors".into(), ColumnValue::Number(90.0)), ("roof".into(), text("flat"))];
+    assert_eq!(survey(given).problems, []);
+}
+
+#[test]
+fn misplaced_holes_are_left_out_with_a_note() {
+    let square = |x: f64, y: f64, size: f64| -> Vec<Corner> {
+        let [x, y, size] = [10.0 + x * 1e-5, 50.0 + y * 1e-5, size * 1e-5];
+        vec![[x, y], [x + size, y], [x + size, y + size], [x, y + size]]
+    };
+    let outer = || square(0.0, 0.0, 20.0);
+    for (holes, left) in [
+        (vec![square(30.0, 0.0, 5.0)], 0),
+        (vec![square(5.0, 5.0, 10.0), square(7.0, 7.0, 4.0)], 1),
+        (vec![square(7.0, 7.0, 4.0), square(5.0, 5.0, 10.0)], 1),
+        (vec![square(-5.0, -5.0, 40.0)], 0),
+    ] {
+        let found = survey(row([vec![outer()], holes].concat()));
+        let why = "1 holes outside of the outline or inside of other holes were left out";
+        assert_eq!(
+            (found.problems.len(), found.problems[0].reason.as_str(), found.problems[0].is_lost),
+            (1, why, false)
+        );
+        assert_eq!(found.footprints[0].rings.len(), 1 + left);
+    }
+    // A hole may touch the outline and other holes at corners.
+    let touching = vec![[10.0, 50.0], [10.00008, 50.00002], [10.00002, 50.00008]];
+    let second = vec![[10.00008, 50.00002], [10.00012, 50.00004], [10.00012, 50.00002]];
+    let found = survey(row(vec![outer(), touching, second]));
+    assert_eq!((found.problems.len(), found.footprints[0].rings.len()), (0, 3), "{:?}", found.problems);
 }
 
 #[test]
