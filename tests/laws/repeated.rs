@@ -113,6 +113,7 @@ rows! {
     Flat        [ [ projectUV(0) X. ] extrude(0.1) comp(f) { front : X. | all : NIL } s(1, 1, 1) primitiveCone(5) X. ];
     Beyond      [ set(trim.vertical, false) s(scope.sx * 2, scope.sy, 0.5) center(x) primitiveCylinder(8) X. ];
     BeyondLevel [ set(trim.vertical, false) set(trim.horizontal, true) s(scope.sx, scope.sy * 2, 0.5) center(y) primitiveCylinder(8) X. ];
+    BeyondTurned [ r(scopeCenter, 0, 0, 20) alignScopeToAxes(y) t(0.1, 0, -0.1) s(^0.5, ^0.5, 0.3) primitiveCylinder(7) X. ];
     Switched    [ set(trim.horizontal, !trim.horizontal) s(scope.sx, scope.sy * 2, 0.5) center(y) primitiveCylinder(8) X. ];
     Named       [ set(width, 0.3) Size(width, "#00ff00") ];
 }

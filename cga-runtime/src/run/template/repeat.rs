@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::key::TemplateKey;
 use super::read;
@@ -49,15 +49,17 @@ impl<C> LastTemplate<C> {
     #[inline]
     fn is_cut(&self, part: &ShapeRef<'_>) -> bool {
         match (&self.found.template.reach, &self.planes) {
-            (Some(reach), Some(planes)) => planes.iter().any(|plane| is_beyond(plane, part, reach)),
+            (Some(reach), Some(planes)) => {
+                let turn = if self.found.template.body.is_turned { part.axes.matrix.transpose() } else { DMat3::IDENTITY };
+                planes.iter().any(|plane| is_beyond(plane, turn * plane.normal, part, reach))
+            }
             _ => false,
         }
     }
 }
 
-/// Returns true if some point of a box, relative to a part, is beyond a plane.
-fn is_beyond(plane: &TrimPlane, part: &ShapeRef<'_>, reach: &Bounds) -> bool {
-    let normal = part.axes.matrix.transpose() * plane.normal;
+/// Returns true if some point of a box, relative to a part, is beyond a plane. `normal` is the plane's in the coordinates of the box.
+fn is_beyond(plane: &TrimPlane, normal: DVec3, part: &ShapeRef<'_>, reach: &Bounds) -> bool {
     let low = (normal * reach.low).min(normal * reach.high).element_sum();
     let near = PLANAR_EPSILON * reach.size().max_element();
     let distance = (part.origin() - plane.point).dot(plane.normal) + low;
