@@ -67,8 +67,8 @@ impl Facts {
                 StepKind::Block(block @ Block { parts: BlockParts::Arms(arms), .. }) => selected(block, arms),
                 _ => itself,
             };
-            own.is_even &= matches!(step.kind, StepKind::Case { .. })
-                || is_fixed(self.exprs(walk::in_step(step)) | seen);
+            own.is_even &=
+                matches!(step.kind, StepKind::Case { .. }) || is_fixed(self.exprs(walk::in_step(step)) | seen);
             let seen = exprs | seen;
             own.rigid &= seen.but(Uses::COUNTERS).is_rigid();
             own.template = own.template.zip(needs(seen)).map(|(own, more)| own | more);

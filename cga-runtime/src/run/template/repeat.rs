@@ -50,7 +50,8 @@ impl<C> LastTemplate<C> {
     fn is_cut(&self, part: &ShapeRef<'_>) -> bool {
         match (&self.found.template.reach, &self.planes) {
             (Some(reach), Some(planes)) => {
-                let turn = if self.found.template.body.is_turned { part.axes.matrix.transpose() } else { DMat3::IDENTITY };
+                let turn =
+                    if self.found.template.body.is_turned { part.axes.matrix.transpose() } else { DMat3::IDENTITY };
                 planes.iter().any(|plane| is_beyond(plane, turn * plane.normal, part, reach))
             }
             _ => false,
