@@ -10,6 +10,11 @@
 //! at its place and with a seed that is affine in the seed of the repetition. A derivation that makes a fault makes no template, and is
 //! run like any other.
 //!
+//! Parts that such a call makes again and again, with equal sizes, have templates of their own if they are meshes. The plan of a grammar knows
+//! them.
+//!
+//! The projections of a shape are unknown while its template is recorded: a rule that reads one has no template.
+//!
 //! A template of rectangles and boxes is recorded without the colour of its shape, and painted at its places.
 //!
 //! Leaves that do not fill their scopes are kept as meshes with their places. Where a base has trim planes, and what was inserted reaches
