@@ -19,7 +19,7 @@ macro_rules! rows {
             attr depth = rand(0.3, 0.4)
             Size(w, c) --> s(scope.sx * w, scope.sy, 0.2) primitiveCylinder(6) color(c) X.
             Glass --> 50% : color("#ffff00") Lit. else : Dark.
-            // A bay that is drawn is no template, but its parts are.
+            // A drawn bay has no template, but its parts have.
             Bay --> 70% : split(x) { ~1 : Wall | 0.6 : split(y) { ~1 : Pane(width) | 0.4 : Pane(0.5) | 0.2 : Wall } } else : Wall
             Wall --> projectUV(0) Wall.
             Pane(part) --> [ set(trim.vertical, false) t(0, 0, -0.1) s(^part, ^1, 0.1) primitiveCube() reverseNormals() comp(f) { front : NIL | all : Reveal. } ]

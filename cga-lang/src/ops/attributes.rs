@@ -53,7 +53,7 @@ static SHAPE: &[ShapeAttr] = &[
     get("comp.index", "comp_index", Uses::WHOLE),
     get("comp.total", "comp_total", Uses::WHOLE),
     ShapeAttr { kind: TEXT, ..get("comp.sel", "comp_sel", Uses::WHOLE) },
-    // What is inserted depends on them, and so do templates.
+    // Inserted geometry depends on them. A template has their values in its key.
     using(Uses::BODY, Uses::BODY, both("trim.vertical", "trim_vertical", B)),
     using(Uses::BODY, Uses::BODY, both("trim.horizontal", "trim_horizontal", B)),
     using(Uses::DRAWS, Uses::DRAWS, both("seedian", "seedian", F)),

@@ -36,14 +36,12 @@ impl Shape {
             _ => None,
         };
         self.hold_as_mesh();
+        let Geometry::Mesh(placed) = &self.geometry else { return };
+        let mesh = match cube {
+            Some(unit) => unit.with_cube_coordinates().clone(),
+            None => self.baked(&placed.mesh, &placed.to_scope(self.scope.size)),
+        };
         if let Geometry::Mesh(placed) = &mut self.geometry {
-            let mesh = match cube {
-                Some(unit) => unit.with_cube_coordinates().clone(),
-                None => {
-                    let place = self.scope.placement() * placed.to_scope(self.scope.size);
-                    Arc::new(with_sets(&placed.mesh, &place, self.state.coordinates(), self.state.projections()))
-                }
-            };
             Arc::make_mut(placed).mesh = mesh;
         }
     }

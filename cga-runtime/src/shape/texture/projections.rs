@@ -30,7 +30,7 @@ impl Projections {
     /// Returns true if no projection was stored.
     #[inline]
     pub(crate) fn is_empty(&self) -> bool {
-        *self == Projections::None
+        matches!(self, Projections::None)
     }
 
     /// The same projections, with unknown values.
