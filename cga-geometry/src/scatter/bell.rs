@@ -16,6 +16,11 @@ impl Bell {
     /// The density 1 everywhere.
     pub const EVEN: Bell = Bell { mean: DVec3::ZERO, deviation: DVec3::INFINITY };
 
+    /// Returns true if the density is the same everywhere.
+    pub(super) fn is_even(&self) -> bool {
+        self.deviation == DVec3::INFINITY
+    }
+
     /// The logarithm of the density at a point.
     pub(super) fn log_density(&self, point: DVec3) -> f64 {
         -0.5 * ((point - self.mean) / self.deviation).length_squared()

@@ -31,13 +31,16 @@ const CELL_LIMITS: [u64; 2] = [256, 4096];
 /// Cells are halved until the logarithms of their densities differ by less.
 const EVEN_ENOUGH: f64 = 1.4;
 
-/// Logarithms of weights count as equal in steps of this size, so that rounding does not change the order of cells. The steps begin
-/// beside the weights of simple shapes.
+/// Logarithms of weights count as equal in steps of this size, so that rounding does not change the order of cells. These steps, and the steps
+/// of numbers of halvings, begin beside the values of simple shapes.
 const WEIGHT_STEP: f64 = 1e-6;
 const FIRST_STEP: f64 = 0.381_966;
 
 /// Extents that differ by less than this share count as equal: the first of them is halved.
 const SAME_EXTENT: f64 = 1e-9;
+
+/// A halving takes as long as so many points that are drawn and not kept.
+const MISSES_PER_HALVING: f64 = 4.0;
 
 /// Cells whose weight is less than the heaviest by this factor, as a logarithm, are not halved.
 const MATTERS: f64 = 12.0;
@@ -55,13 +58,19 @@ const TRIANGLE: usize = 16;
 /// A part of the domain.
 #[derive(Debug)]
 struct DensityCell {
+    form: CellForm,
+    /// The logarithm of the highest density in it.
+    log_peak: f64,
+}
+
+/// A cell that may be halved.
+#[derive(Debug)]
+struct WeightedCell {
     /// Cells are counted as they are made.
     number: u64,
     /// The weight in steps of [`WEIGHT_STEP`].
     step: i64,
-    form: CellForm,
-    /// The logarithm of the highest density in it.
-    log_peak: f64,
+    cell: DensityCell,
     /// The logarithm of its measure times that density.
     log_weight: f64,
     /// True if it should be halved.
@@ -82,34 +91,34 @@ enum CellForm {
     },
 }
 
-impl DensityCell {
+impl WeightedCell {
     /// A cell with that weight, which has no number yet.
     fn new(form: CellForm, log_peak: f64, log_weight: f64, is_uneven: bool) -> Self {
         let step = (log_weight / WEIGHT_STEP + FIRST_STEP).floor() as i64;
-        DensityCell { number: 0, step, form, log_peak, log_weight, is_uneven }
+        WeightedCell { number: 0, step, cell: DensityCell { form, log_peak }, log_weight, is_uneven }
     }
 }
 
 /// Cells are ordered by weight, and cells of the same weight by number: the first is the largest.
-impl Ord for DensityCell {
+impl Ord for WeightedCell {
     fn cmp(&self, other: &Self) -> Ordering {
         self.step.cmp(&other.step).then(other.number.cmp(&self.number))
     }
 }
 
-impl PartialOrd for DensityCell {
+impl PartialOrd for WeightedCell {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl PartialEq for DensityCell {
+impl PartialEq for WeightedCell {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
 
-impl Eq for DensityCell {}
+impl Eq for WeightedCell {}
 
 /// A point, and the normal of the surface there; zero inside boxes.
 #[derive(Clone, Copy, Debug)]
@@ -122,8 +131,8 @@ pub struct ScatteredPoint {
 
 /// A domain with a density, divided for a number of points.
 ///
-/// It has at most eight cells for each point, between 256 and 4096, besides the triangles of a surface. Parts without an extent,
-/// and parts whose density is not a number, get no points.
+/// It has at most eight cells for each point, between 256 and 4096, besides the triangles of a surface; a solid with the same density
+/// everywhere has only as many as save time. Parts without an extent, and parts whose density is not a number, get no points.
 ///
 /// ```
 /// use cga_geometry::glam::DVec3;
@@ -153,9 +162,26 @@ pub struct Domain {
 impl Domain {
     /// The faces of a mesh, for `count` points.
     pub fn surface(mesh: &Mesh, bell: Bell, count: u64) -> Self {
-        let cell = |(corners, normal)| if work::spend(HALVING) { triangle(corners, normal, &bell) } else { None };
-        let cells = triangles(mesh).into_iter().filter_map(cell);
-        Domain::of(cells.collect(), bell, None, count)
+        let triangles = triangles(mesh).into_iter().take_while(|_| work::spend(HALVING));
+        if bell.is_even() {
+            return Domain::even_surface(triangles, count);
+        }
+        let cells = triangles.filter_map(|(corners, normal)| triangle(corners, normal, &bell));
+        Domain::of(cells.collect(), bell, None, count, u64::MAX)
+    }
+
+    /// Triangles with the same density everywhere, which no halving makes better. Their areas are the weights.
+    fn even_surface(triangles: impl Iterator<Item = ([DVec3; 3], DVec3)>, count: u64) -> Self {
+        let (mut cells, mut sums, mut sum) = (Vec::new(), Vec::new(), 0.0);
+        for (corners, normal) in triangles {
+            let area = doubled_area(&corners);
+            if 0.0 < area {
+                sum += area;
+                sums.push(sum);
+                cells.push(DensityCell { form: CellForm::Triangle { corners, normal }, log_peak: 0.0 });
+            }
+        }
+        Domain { count, cells, sums, bell: Bell::EVEN, solid: None }
     }
 
     /// The inside of a closed mesh, for `count` points. An open mesh has the inside around which its faces wind.
@@ -164,17 +190,19 @@ impl Domain {
         let bounds = solid.bounds();
         let all = solid.all();
         let cells = cuboid(bounds.low, bounds.high, &all, &bell, Some(&solid)).into_iter().collect();
-        Domain::of(cells, bell, Some(solid), count)
+        let halvings = if bell.is_even() { halvings_for(bounds.size(), mesh.volume(), count) } else { u64::MAX };
+        Domain::of(cells, bell, Some(solid), count, halvings)
     }
 
     /// A box, for `count` points. Extents of 0 make it a rectangle, a line or a point. `low` is at most `high` along each axis.
     pub fn cuboid(low: DVec3, high: DVec3, bell: Bell, count: u64) -> Self {
-        Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count)
+        Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count, u64::MAX)
     }
 
-    fn of(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
+    /// A domain whose uneven cells are halved, at most so many times.
+    fn of(cells: Vec<WeightedCell>, bell: Bell, solid: Option<Solid>, count: u64, halvings: u64) -> Self {
         let mut numbers = 0..;
-        let mut numbered = |cell: DensityCell| DensityCell { number: numbers.next().unwrap_or_default(), ..cell };
+        let mut numbered = |cell: WeightedCell| WeightedCell { number: numbers.next().unwrap_or_default(), ..cell };
         let mut first: Vec<_> = cells.into_iter().map(&mut numbered).collect();
         if first.iter().all(|cell| !cell.is_uneven) {
             if !work::spend(HALVING * first.len()) {
@@ -185,16 +213,17 @@ impl Domain {
         let mut heap = BinaryHeap::from(first);
         let mut cells = Vec::new();
         let [least, most] = CELL_LIMITS;
-        let most = heap.len() + count.saturating_mul(CELLS_PER_POINT).clamp(least, most) as usize;
+        let most = heap.len() + count.saturating_mul(CELLS_PER_POINT).clamp(least, most).min(halvings) as usize;
         let mut heaviest = f64::NEG_INFINITY;
         while let Some(cell) = heap.pop() {
             let matters = heaviest - MATTERS < cell.log_weight;
-            let crossing = if let CellForm::Box { crossing, .. } = &cell.form { crossing.len() } else { 0 };
+            let form = &cell.cell.form;
+            let crossing = if let CellForm::Box { crossing, .. } = form { crossing.len() } else { 0 };
             if !work::spend(HALVING + 2 * crossing) {
                 break;
             }
-            let is_halved = cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most;
-            match if is_halved { halves(&cell.form, &bell, solid.as_ref()) } else { None } {
+            let is_halved = cell.is_uneven && matters && heap.len() + cells.len() < most;
+            match if is_halved { halves(form, &bell, solid.as_ref()) } else { None } {
                 Some(halves) => heap.extend(halves.into_iter().flatten().map(&mut numbered)),
                 None => {
                     heaviest = heaviest.max(cell.log_weight);
@@ -206,14 +235,15 @@ impl Domain {
     }
 
     /// A domain with these cells.
-    fn divided(cells: Vec<DensityCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
+    fn divided(cells: Vec<WeightedCell>, bell: Bell, solid: Option<Solid>, count: u64) -> Self {
         let top = cells.iter().map(|cell| cell.log_weight).fold(f64::NEG_INFINITY, f64::max);
         let mut sum = 0.0;
-        let add = |cell: &DensityCell| {
+        let add = |cell: &WeightedCell| {
             sum += libm::exp(cell.log_weight - top);
             sum
         };
         let sums = cells.iter().map(add).collect();
+        let cells = cells.into_iter().map(|cell| cell.cell).collect();
         Domain { count, cells, sums, bell, solid }
     }
 
@@ -265,14 +295,26 @@ impl Domain {
 }
 
 /// The cells in the order in which a heap would give them; none if the work is to end.
-fn from_largest(cells: Vec<DensityCell>) -> Vec<DensityCell> {
+fn from_largest(cells: Vec<WeightedCell>) -> Vec<WeightedCell> {
     let mut order: Vec<(Reverse<i64>, u64, usize)> =
         cells.iter().enumerate().map(|(at, cell)| (Reverse(cell.step), cell.number, at)).collect();
     if !long_sort_by(&mut order, Ord::cmp) {
         return Vec::new();
     }
-    let mut cells: Vec<Option<DensityCell>> = cells.into_iter().map(Some).collect();
+    let mut cells: Vec<Option<WeightedCell>> = cells.into_iter().map(Some).collect();
     order.into_iter().filter_map(|(_, _, at)| cells[at].take()).collect()
+}
+
+/// The halvings of a box that save time, for a solid in it with the same density everywhere: they are made to avoid points that are drawn
+/// and not kept.
+fn halvings_for(size: DVec3, volume: f64, count: u64) -> u64 {
+    let misses_of_each = size.element_product() / volume.abs() - 1.0;
+    // More than the box is the volume of a solid that overlaps itself.
+    if misses_of_each.is_nan() || misses_of_each < -0.01 {
+        return u64::MAX;
+    }
+    // A cast takes infinity to the largest number.
+    (count as f64 * misses_of_each / MISSES_PER_HALVING + FIRST_STEP) as u64
 }
 
 /// The triangles of all faces, with their normals. Some are missing if the work is to end.
@@ -291,18 +333,22 @@ fn triangles(mesh: &Mesh) -> Vec<([DVec3; 3], DVec3)> {
     all
 }
 
+/// Twice the area of a triangle.
+fn doubled_area([a, b, c]: &[DVec3; 3]) -> f64 {
+    (*b - *a).cross(*c - *a).length()
+}
+
 /// The cell of a triangle, if it has an area.
-fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<DensityCell> {
-    let [a, b, c] = corners;
-    let area = (b - a).cross(c - a).length();
+fn triangle(corners: [DVec3; 3], normal: DVec3, bell: &Bell) -> Option<WeightedCell> {
+    let (area, [a, b, c]) = (doubled_area(&corners), corners);
     let [least, log_peak] = bell.log_range(a.min(b).min(c), a.max(b).max(c));
     let log_weight = libm::log(area) + log_peak;
     let is_uneven = EVEN_ENOUGH < log_peak - least;
-    (0.0 < area).then(|| DensityCell::new(CellForm::Triangle { corners, normal }, log_peak, log_weight, is_uneven))
+    (0.0 < area).then(|| WeightedCell::new(CellForm::Triangle { corners, normal }, log_peak, log_weight, is_uneven))
 }
 
 /// The cell of a box. `near` are the triangles that may come into it. `None` outside the solid.
-fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Solid>) -> Option<DensityCell> {
+fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Solid>) -> Option<WeightedCell> {
     let crossing = solid.map_or(Vec::new(), |solid| solid.crossing(near, low, high));
     if crossing.is_empty() && solid.is_some_and(|solid| !solid.contains((low + high) * 0.5)) {
         return None;
@@ -311,12 +357,12 @@ fn cuboid(low: DVec3, high: DVec3, near: &[u32], bell: &Bell, solid: Option<&Sol
     let extents = (high - low).to_array();
     let log_measure: f64 = extents.into_iter().filter(|extent| 0.0 < *extent).map(libm::log).sum();
     let is_uneven = !crossing.is_empty() || EVEN_ENOUGH < log_peak - least;
-    Some(DensityCell::new(CellForm::Box { low, high, crossing }, log_peak, log_measure + log_peak, is_uneven))
+    Some(WeightedCell::new(CellForm::Box { low, high, crossing }, log_peak, log_measure + log_peak, is_uneven))
 }
 
 /// Both halves of a cell, across its longest extent in units of the deviation. `None` if its middle is one of its ends, or
 /// overflows: then one of the halves would be the cell itself, again and again.
-fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> Option<[Option<DensityCell>; 2]> {
+fn halves(form: &CellForm, bell: &Bell, solid: Option<&Solid>) -> Option<[Option<WeightedCell>; 2]> {
     // Where the density is even, lengths count as they are.
     let units = DVec3::select(bell.deviation.cmplt(DVec3::INFINITY), bell.deviation, DVec3::ONE);
     match form {
