@@ -34,11 +34,13 @@ impl Frame {
     pub const WORLD: Frame = Frame { origin: DVec3::ZERO, axes: DMat3::IDENTITY };
 
     /// Converts local coordinates to world coordinates.
+    #[inline]
     pub fn to_world(&self, local: DVec3) -> DVec3 {
         self.origin + self.axes * local
     }
 
     /// Converts world coordinates to local coordinates.
+    #[inline]
     pub fn to_local(&self, world: DVec3) -> DVec3 {
         self.axes.transpose() * (world - self.origin)
     }

@@ -81,11 +81,9 @@ mod faces;
 mod origin;
 mod values;
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
-use crate::mesh::{FaceRef, FaceTag, Mesh, TagSet};
+use crate::mesh::{FaceRef, FaceTag, LoopEnds, Mesh, SharedList, TagSet};
 pub use crate::origin::PointOrigin;
 use crate::work;
 use edges::EdgeOrigins;
@@ -172,7 +170,7 @@ impl<'s> Derivation<'s> {
     pub(crate) fn make_room(&mut self, points: usize, corners: usize, loops: usize) {
         self.made.points = Vec::with_capacity(points);
         self.made.corners = Vec::with_capacity(corners);
-        self.made.loop_ends = Vec::with_capacity(loops);
+        self.made.loop_ends = LoopEnds::with_capacity(loops);
         if self.has_origins {
             self.origins = Vec::with_capacity(points);
         }
@@ -357,7 +355,7 @@ impl<'s> Derivation<'s> {
         if self.tags.is_some() || self.source.needs_origins() {
             self.finish_tags();
         } else if self.has_face_tags {
-            self.made.tag_sets = Arc::default();
+            self.made.tag_sets = SharedList::default();
         }
         self.made.check_structure();
         self.made
@@ -371,7 +369,7 @@ impl<'s> Derivation<'s> {
         self.tags();
         let Some(DerivedTags { faces, edges }) = self.tags.take().map(|tags| *tags) else { return };
         if self.has_face_tags {
-            self.made.tag_sets = faces.finish();
+            self.made.tag_sets = faces.finish().into();
         }
         self.made.subcomponent_tags = edges.tags(self.source, &self.made, &self.origins);
     }

@@ -1,7 +1,5 @@
 //! The parts of a mesh, for code outside of geometry.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::{Derived, FaceTag, Materials, Mesh, SubcomponentTags};
@@ -52,7 +50,7 @@ impl Mesh {
     /// The mesh with all faces in one group. Its other groups are dropped.
     pub fn in_group(self, name: &str) -> Mesh {
         let tags = self.tags.mapped(|tag| FaceTag { group: 0, ..tag });
-        Mesh { groups: Arc::new([name.to_owned()]), tags, derived: self.derived.of_changed(), ..self }
+        Mesh { groups: vec![name.to_owned()].into(), tags, derived: self.derived.of_changed(), ..self }
     }
 
     /// The materials as a list that others may keep.

@@ -121,7 +121,7 @@ impl MeshBuilder {
 
     /// Sets the names of groups, which tags index.
     pub fn groups(&mut self, groups: impl Into<Arc<[String]>>) -> &mut Self {
-        self.given.groups = groups.into();
+        self.given.groups = groups.into().into();
         self
     }
 
@@ -133,7 +133,7 @@ impl MeshBuilder {
 
     /// Sets the sets of component tags, which tags of faces index.
     pub fn tag_sets(&mut self, sets: impl Into<Arc<[TagSet]>>) -> &mut Self {
-        self.given.tag_sets = sets.into();
+        self.given.tag_sets = sets.into().into();
         self
     }
 

@@ -27,6 +27,7 @@ impl<'a> FaceRef<'a> {
     }
 
     /// The outline, counter-clockwise as seen from outside, as indices into the points.
+    #[inline]
     pub fn outer(&self) -> &'a [u32] {
         &self.mesh.corners[self.mesh.loop_range(self.mesh.face_loops(self.index).start)]
     }
@@ -51,6 +52,7 @@ impl<'a> FaceRef<'a> {
     }
 
     /// All corners, as a range of [`Mesh::corners`], [`Mesh::uvs`] and [`Mesh::normals`].
+    #[inline]
     pub fn corner_range(&self) -> Range<usize> {
         self.mesh.face_corners(self.index)
     }
@@ -69,6 +71,7 @@ impl<'a> FaceRef<'a> {
     }
 
     /// The group, the material, the tags, and whether a cut made the face.
+    #[inline]
     pub fn tag(&self) -> FaceTag {
         self.mesh.tags[self.index]
     }

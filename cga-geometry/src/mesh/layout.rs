@@ -2,7 +2,12 @@
 
 use std::ops::{Index, Range};
 
+use smallvec::{Array, SmallVec};
+
 use super::{FaceTag, Mesh};
+
+/// The end of each loop. Meshes of few loops, such as a box, need no memory for them.
+pub(crate) type LoopEnds = SmallVec<[u32; 6]>;
 
 /// The end of each face's loops. Faces with one loop need no memory while they come first.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -77,8 +82,8 @@ impl FaceEnds {
 /// The tag of each face, as runs of equal tags.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Tags {
-    /// The end of each run, and its tag.
-    runs: Vec<(u32, FaceTag)>,
+    /// The end of each run, and its tag. Most meshes have one run.
+    runs: SmallVec<[(u32, FaceTag); 1]>,
 }
 
 impl Tags {
@@ -90,11 +95,16 @@ impl Tags {
     pub(crate) fn push(&mut self, tag: FaceTag) {
         match self.runs.last_mut() {
             Some(run) if run.1 == tag => run.0 += 1,
-            last => {
-                let end = last.map_or(1, |run| run.0 + 1);
-                self.runs.push((end, tag));
-            }
+            _ => self.begin_run(tag),
         }
+    }
+
+    /// Adds a face whose tag differs from the tag of the face before it.
+    #[cold]
+    #[inline(never)]
+    fn begin_run(&mut self, tag: FaceTag) {
+        let end = self.len() as u32 + 1;
+        self.runs.push((end, tag));
     }
 
     /// Moves a face to the front.
@@ -116,7 +126,7 @@ impl Tags {
 
     /// The tags after a change, which is called once for each run.
     pub(crate) fn mapped(&self, mut change: impl FnMut(FaceTag) -> FaceTag) -> Tags {
-        let mut runs: Vec<(u32, FaceTag)> = Vec::with_capacity(self.runs.len());
+        let mut runs: SmallVec<[(u32, FaceTag); 1]> = SmallVec::with_capacity(self.runs.len());
         for &(end, tag) in &self.runs {
             let tag = change(tag);
             match runs.last_mut() {
@@ -145,11 +155,22 @@ impl Index<usize> for Tags {
 /// Shrinks a list that has much more capacity than it needs. Small lists are not shrunk, because copying costs more
 /// than the memory is worth.
 pub(super) fn give_back_room<T>(list: &mut Vec<T>) {
-    const SMALL: usize = 1 << 12;
-    let spare = list.capacity() - list.len();
-    if list.len() / 11 < spare && SMALL < spare * size_of::<T>() {
+    if has_much_room::<T>(list.len(), list.capacity()) {
         list.shrink_to_fit();
     }
+}
+
+/// The same for a list that holds few elements in itself.
+fn give_back_spilled_room<A: Array>(list: &mut SmallVec<A>) {
+    if has_much_room::<A::Item>(list.len(), list.capacity()) {
+        list.shrink_to_fit();
+    }
+}
+
+fn has_much_room<T>(len: usize, capacity: usize) -> bool {
+    const SMALL: usize = 1 << 12;
+    let spare = capacity - len;
+    len / 11 < spare && SMALL < spare * size_of::<T>()
 }
 
 impl Mesh {
@@ -157,9 +178,9 @@ impl Mesh {
     pub(crate) fn give_back_room(&mut self) {
         give_back_room(&mut self.points);
         give_back_room(&mut self.corners);
-        give_back_room(&mut self.loop_ends);
+        give_back_spilled_room(&mut self.loop_ends);
         give_back_room(&mut self.face_ends.ends);
-        give_back_room(&mut self.tags.runs);
+        give_back_spilled_room(&mut self.tags.runs);
         give_back_room(&mut self.normals);
         self.uvs.give_back_room();
     }
@@ -203,9 +224,12 @@ mod tests {
             fn of<T>(list: &Vec<T>) -> [usize; 2] {
                 [list.len(), list.capacity()].map(|count| count * size_of::<T>())
             }
-            let indices = [&self.corners, &self.loop_ends, &self.face_ends.ends].map(of);
+            fn of_few<A: Array>(list: &SmallVec<A>) -> [usize; 2] {
+                [list.len(), list.capacity()].map(|count| count * size_of::<A::Item>())
+            }
+            let indices = [of(&self.corners), of_few(&self.loop_ends), of(&self.face_ends.ends)];
             let points = [&self.points, &self.normals].map(of);
-            let all = indices.into_iter().chain(points).chain([of(&self.tags.runs), self.uvs.bytes()]);
+            let all = indices.into_iter().chain(points).chain([of_few(&self.tags.runs), self.uvs.bytes()]);
             all.fold([0; 2], |sum, next| [sum[0] + next[0], sum[1] + next[1]])
         }
     }

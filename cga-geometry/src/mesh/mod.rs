@@ -31,6 +31,7 @@ mod measure;
 mod numbering;
 pub(crate) mod pair_table;
 mod polygon;
+mod shared;
 mod simple_loops;
 mod subcomponent_tags;
 mod tag;
@@ -57,10 +58,11 @@ pub use check::Flaw;
 pub use error::{MeshError, TooManyCorners};
 pub use face::FaceRef;
 pub(crate) use flat_face::FlatFace;
-pub(crate) use layout::{FaceEnds, Tags};
+pub(crate) use layout::{FaceEnds, LoopEnds, Tags};
 pub use map::flip;
 pub use materials::Materials;
 pub(crate) use numbering::keep_used;
+pub(crate) use shared::SharedList;
 pub use subcomponent_tags::{SubcomponentTags, SubcomponentTagsBuilder};
 pub(crate) use subcomponent_tags::{in_order, whole_edge};
 pub(crate) use tag::TagSetTable;
@@ -82,7 +84,7 @@ pub struct Mesh {
     /// The point of each corner, loop by loop.
     pub(crate) corners: Vec<u32>,
     /// The end of each loop in `corners`.
-    pub(crate) loop_ends: Vec<u32>,
+    pub(crate) loop_ends: LoopEnds,
     /// The end of each face in `loop_ends`.
     pub(crate) face_ends: FaceEnds,
     /// One tag per face.
@@ -91,11 +93,11 @@ pub struct Mesh {
     /// One normal per corner, or empty.
     pub(crate) normals: Vec<DVec3>,
     /// The names of groups, indexed by [`FaceTag::group`].
-    pub(crate) groups: Arc<[String]>,
+    pub(crate) groups: SharedList<String>,
     /// The materials, indexed by [`FaceTag::material`].
     pub(crate) materials: Materials,
     /// The sets of component tags, indexed by [`FaceTag::tags`].
-    pub(crate) tag_sets: Arc<[TagSet]>,
+    pub(crate) tag_sets: SharedList<TagSet>,
     pub(crate) subcomponent_tags: SubcomponentTags,
     /// A direction along which bent faces have no folds ([`bent`]). Zero if all faces count as planar.
     pub(crate) bent: DVec3,
@@ -334,12 +336,14 @@ impl Mesh {
     }
 
     /// The range of a loop in `corners`.
+    #[inline]
     pub(crate) fn loop_range(&self, index: usize) -> Range<usize> {
         let start = if index == 0 { 0 } else { self.loop_ends[index - 1] };
         start as usize..self.loop_ends[index] as usize
     }
 
     /// The loops of a face.
+    #[inline]
     pub(crate) fn face_loops(&self, index: usize) -> Range<usize> {
         self.face_ends.loops(index)
     }

@@ -58,6 +58,6 @@ impl Mesh {
             if set == plain { FaceTag::NONE } else { table.number(&set) }
         };
         let tags = self.tags.mapped(|tag| FaceTag { tags: number(&tag), ..tag });
-        Mesh { tags, tag_sets: table.into_sets(), ..self.clone() }
+        Mesh { tags, tag_sets: table.into_sets().into(), ..self.clone() }
     }
 }

@@ -5,6 +5,7 @@ mod extent;
 use std::ops::Range;
 
 use glam::DVec2;
+use smallvec::SmallVec;
 
 use super::Mesh;
 use super::layout::to_front;
@@ -41,7 +42,8 @@ impl UvAxis {
 /// The sets of a mesh. Some lists may be empty, but a mesh without texture coordinates has no lists at all.
 #[derive(Clone, Debug, Default)]
 pub struct UvSets {
-    lists: Vec<Vec<DVec2>>,
+    /// Most meshes have set 0 alone.
+    lists: SmallVec<[Vec<DVec2>; 1]>,
 }
 
 impl UvSets {
