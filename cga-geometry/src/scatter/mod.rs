@@ -222,7 +222,7 @@ impl Domain {
             if !work::spend(HALVING + 2 * crossing) {
                 break;
             }
-            let is_halved = cell.is_uneven && matters && heap.len() + cells.len() < most;
+            let is_halved = cell.is_uneven && matters && heap.len() + cells.len() + 2 <= most;
             match if is_halved { halves(form, &bell, solid.as_ref()) } else { None } {
                 Some(halves) => heap.extend(halves.into_iter().flatten().map(&mut numbered)),
                 None => {

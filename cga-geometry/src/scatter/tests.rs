@@ -157,6 +157,35 @@ fn thin_and_slanted_solids_are_filled() {
 }
 
 #[test]
+fn solids_are_divided_only_where_that_saves_time() {
+    let cells = |mesh: &Mesh, count| Domain::volume(mesh, Bell::EVEN, count).cells.len();
+    assert_eq!([1, 100_000].map(|count| cells(&cube(), count)), [1, 1]);
+    // A cone misses two of three points: two misses for each point that is kept, and a halving for four misses.
+    let cone = PrimitiveKind::Cone { sides: 256 }.mesh();
+    let expected = |count: f64| count * (12.0 / std::f64::consts::PI - 1.0) / 4.0;
+    for count in [10, 40, 160] {
+        let cells = cells(&cone, count) as f64;
+        assert!(cells <= expected(count as f64) + 2.0, "{cells} for {count}");
+        // Halves outside of the solid are left out.
+        assert!(expected(count as f64) * 0.4 <= cells, "{cells} for {count}");
+    }
+    // A solid over itself, as often as fills its box and more: the volume says nothing.
+    let again = |mesh: &Mesh, times| {
+        let mut builder = MeshBuilder::new();
+        for _ in 0..times {
+            let all: Vec<u32> = mesh.points().iter().map(|point| builder.point(point.to_array())).collect();
+            for face in mesh.faces() {
+                builder.polygon(&face.outer().iter().map(|&point| all[point as usize]).collect::<Vec<_>>());
+            }
+        }
+        builder.build().expect("solids")
+    };
+    let many = again(&PrimitiveKind::Cone { sides: 8 }.mesh(), 5);
+    assert!(1.0 < many.volume() && 100 < cells(&many, 100));
+    assert_eq!(draw(Domain::volume(&many, Bell::EVEN, 100)).len(), 100);
+}
+
+#[test]
 fn a_domain_without_extent_has_one_place_or_none() {
     assert!(draw(Domain::surface(&Mesh::default(), Bell::EVEN, 10)).is_empty());
     assert!(draw(Domain::volume(&Mesh::default(), Bell::EVEN, 10)).is_empty());
