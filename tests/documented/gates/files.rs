@@ -1,11 +1,12 @@
 //! The GLB files of everything that the repository draws, read back from their bytes: what a viewer reads passes the gates too.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
 use cga::{Assets, Model, Settings, Shape, cga};
-use cga_gates::{Finding, GlbSurvey, Look, back_faces, fights, holes, inside_out, report};
+use cga_gates::{Finding, GlbSurvey, Look, Survey, back_faces, fights, holes, inside_out, report};
 
 use super::PIXELS;
 use super::fights::MOST;
@@ -66,14 +67,30 @@ impl WrittenFile {
     }
 }
 
+/// The number of triangles of each building, sorted. Buildings in each other are found in the models.
+fn by_building(survey: &Survey) -> Vec<usize> {
+    let mut counts = BTreeMap::new();
+    for triangle in &survey.triangles {
+        *counts.entry(survey.parts[triangle.part as usize].building).or_insert(0) += 1;
+    }
+    let mut counts: Vec<usize> = counts.into_values().collect();
+    counts.sort_unstable();
+    counts
+}
+
 #[test]
 fn the_files_of_all_models_pass_the_gates() {
     let (mut text, mut textured, mut images) = (String::new(), 0, 0);
     for surveyed in super::all() {
         let file = WrittenFile::new(&surveyed.drawn.name, &surveyed.file);
-        let (triangles, own) = (file.glb.survey.triangles.len(), surveyed.survey.triangles.len());
-        if triangles != own {
-            let _ = writeln!(text, "{}: {triangles} triangles in the file, and {own} in the model", file.name);
+        let [triangles, own] = [&file.glb.survey, &surveyed.survey].map(by_building);
+        // Houses in the masses are buildings of their own for the gates alone.
+        let is_same = match super::units(&file.name) {
+            [] => triangles == own,
+            _ => triangles.iter().sum::<usize>() == own.iter().sum(),
+        };
+        if !is_same {
+            let _ = writeln!(text, "{}: {triangles:?} triangles in the file, and {own:?} in the model", file.name);
         }
         textured += usize::from(0 < file.glb.textured_materials);
         images += usize::from(0 < file.glb.embedded_images);
