@@ -258,7 +258,8 @@ impl<'s> Derivation<'s> {
     }
 
     /// The same with all points of the source at other places, and with room for more points and for corners. Texture coordinates and
-    /// normals stay those of the source, so points between others ([`PointOrigin::Between`]) may follow, but none outside of edges.
+    /// normals stay as in the source: points at new places get the values of the source's plane, so only points between others
+    /// ([`PointOrigin::Between`]) may follow.
     pub fn with_old_points_at(mut self, places: &[DVec3], points: usize, corners: usize) -> Self {
         self.made.points = Vec::with_capacity(places.len() + points);
         self.made.points.extend_from_slice(places);
