@@ -87,7 +87,7 @@ fn the_files_of_all_models_pass_the_gates() {
         // Houses in the masses are buildings of their own for the gates alone.
         let is_same = match super::units(&file.name) {
             [] => triangles == own,
-            _ => triangles.iter().sum::<usize>() == own.iter().sum(),
+            _ => triangles.iter().sum::<usize>() == own.iter().sum::<usize>(),
         };
         if !is_same {
             let _ = writeln!(text, "{}: {triangles:?} triangles in the file, and {own:?} in the model", file.name);
