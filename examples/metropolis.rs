@@ -14,7 +14,7 @@ use cga::{Settings, Shape, Watch, cga};
 
 cga! {
     /// Walls and windows on every side, in one of three colours.
-    grammar City;
+    pub grammar City;
 
     Lot    --> comp(f) { side : Facade | top : Roof. }
     Facade --> 60% : color("#d8c8a8") Front 30% : color("#b08060") Front else : color("#90a0a8") Front
@@ -31,7 +31,7 @@ const CHUNK: usize = 1 << 16;
 const BATCH: usize = 8192;
 
 /// One building of 2 to 10 storeys, 40 in a row.
-fn lot(at: usize) -> Shape {
+pub(crate) fn lot(at: usize) -> Shape {
     let storeys = 2 + (7 * at) % 9;
     Shape::cuboid(13.5, 4.0 + 3.0 * storeys as f64, 11.0)
         .at([20.0 * (at % 40) as f64, 0.0, 20.0 * (at / 40) as f64])

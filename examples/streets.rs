@@ -49,13 +49,9 @@ fn run() -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let network = Network::new(&lines, &NetworkOptions::default())?;
     let laid_out = begin.elapsed();
+    let streets = model(&network, &Settings::default())?;
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut streets = Model::new();
-    for part in network.parts() {
-        let lot = part.shape().start(part.start_rule());
-        streets.append(&Streets::default().generate_with(&lot, &Settings::default())?);
-        *counts.entry(part.start_rule()).or_default() += 1;
-    }
+    network.parts().iter().for_each(|part| *counts.entry(part.start_rule()).or_default() += 1);
     println!("{} lines in {:.1} ms, {} triangles", lines.len(), laid_out.as_secs_f64() * 1e3, streets.triangle_count());
     for (rule, count) in counts {
         println!("{count:6} {rule}");
@@ -64,6 +60,16 @@ fn run() -> Result<(), Box<dyn Error>> {
     Picture::new(1600, 1200).looking_from(20.0, 60.0).render(&streets).write_png("streets.png")?;
     println!("wrote streets.glb and streets.png");
     Ok(())
+}
+
+/// The streets, part by part.
+pub(crate) fn model(network: &Network, settings: &Settings) -> Result<Model, cga::Error> {
+    let mut streets = Model::new();
+    for part in network.parts() {
+        let lot = part.shape().start(part.start_rule());
+        streets.append(&Streets::default().generate_with(&lot, settings)?);
+    }
+    Ok(streets)
 }
 
 /// The lines of a GeoJSON file in metres relative to their middle, and a note for each feature without lines.

@@ -1,11 +1,21 @@
-//! The models that the repository shows: the scenes of the gallery, the examples, the steps of the tutorial.
+//! The models that the repository shows: the scenes of the gallery, the examples, the steps of the tutorial, the first rules of the
+//! playground.
 
 use std::error::Error;
 
-use cga::{Model, Settings};
+use cga::street::{Network, NetworkOptions};
+#[cfg(feature = "eval")]
+use cga::{Grammar, RuleFile};
+use cga::{Model, Settings, Shape};
 
+use crate::scenes::materials::single_pixels;
 use crate::scenes::{Scene, scenes};
-use crate::{district, front, guide, hello, lots, massing, textured, tower};
+#[cfg(feature = "eval")]
+use crate::tree::root;
+use crate::{district, front, guide, hello, lots, massing, metropolis, streets, textured, tower, tutorial_pictures};
+
+/// The number of buildings of the metropolis.
+const METROPOLIS: usize = 6;
 
 /// A model, or the error of its run.
 pub type Made = Result<Model, Box<dyn Error>>;
@@ -31,9 +41,31 @@ impl Drawn {
     }
 }
 
+/// The models of rule files, which the rules of this package cannot name: the example `from_file`, and the first rules of the playground.
+#[cfg(feature = "eval")]
+fn rule_files() -> Vec<Drawn> {
+    let file = |name, path: &'static str, lot: Shape| {
+        Drawn::new(name, move |settings| Ok(RuleFile::open(root().join(path))?.generate_with(&lot, settings)?))
+    };
+    let house = Shape::rectangle(14.0, 9.0).seed(3).attribute("floors", 4.0);
+    vec![
+        file("example from_file", "examples/rules/house.cga", house),
+        file("playground house", "playground/engine/house.cga", Shape::rectangle(20.0, 15.0)),
+    ]
+}
+
+#[cfg(not(feature = "eval"))]
+fn rule_files() -> Vec<Drawn> {
+    Vec::new()
+}
+
 /// All models.
 pub fn drawn() -> Vec<Drawn> {
-    let scene = |scene: Scene| Drawn::new(scene.name, move |settings| Ok(scene.model_with(settings)?));
+    let scene = |scene: Scene| {
+        Drawn::new(scene.name, move |settings| {
+            Ok(scene.model_with(&Settings { assets: single_pixels(), ..settings.clone() })?)
+        })
+    };
     let step = |step| Drawn::new(format!("tutorial step {step}"), move |settings| Ok(guide::model(step, settings)?));
     let examples = [
         Drawn::new("example hello", |settings| Ok(hello::model(settings)?)),
@@ -50,6 +82,20 @@ pub fn drawn() -> Vec<Drawn> {
             massing::models(settings)?.iter().for_each(|(_, model)| masses.append(model));
             Ok(masses)
         }),
+        Drawn::new("example streets", |settings| {
+            let (lines, _) = streets::read(streets::SAMPLE)?;
+            Ok(streets::model(&Network::new(&lines, &NetworkOptions::default())?, settings)?)
+        }),
+        Drawn::new("example metropolis", |settings| {
+            let lots: Vec<Shape> = (0..METROPOLIS).map(metropolis::lot).collect();
+            Ok(metropolis::City::default().generate_all(&lots, settings)?.to_model())
+        }),
+        Drawn::new("tutorial step 11", |settings| Ok(tutorial_pictures::loaded(settings)?)),
     ];
-    examples.into_iter().chain(scenes().into_iter().map(scene)).chain((1..=guide::STEPS).map(step)).collect()
+    examples
+        .into_iter()
+        .chain(rule_files())
+        .chain(scenes().into_iter().map(scene))
+        .chain((1..=guide::STEPS).map(step))
+        .collect()
 }

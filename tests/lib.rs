@@ -42,6 +42,14 @@ mod lots;
 mod massing;
 
 #[allow(dead_code, reason = "as above")]
+#[path = "../examples/metropolis.rs"]
+pub mod metropolis;
+
+#[allow(dead_code, reason = "as above")]
+#[path = "../examples/streets.rs"]
+mod streets;
+
+#[allow(dead_code, reason = "as above")]
 #[path = "../examples/textured.rs"]
 mod textured;
 

@@ -1,6 +1,6 @@
 //! The pictures of the tutorial.
 
-use cga::{Assets, Settings, Shape};
+use cga::{Assets, Error, Model, Settings, Shape};
 
 use crate::guide;
 use crate::tree::root;
@@ -9,17 +9,19 @@ fn settings() -> Settings {
     Settings { assets: Assets::below(root().join("docs/guide")).into(), ..Settings::default() }
 }
 
+/// The house of step 11, whose program loads the rules of the step before.
+pub(crate) fn loaded(settings: &Settings) -> Result<Model, Error> {
+    let house = guide::step_10::House { storeys: Some(3.0), ..Default::default() };
+    house.generate_with(&Shape::rectangle(11.0, 8.0).seed(1), settings)
+}
+
 /// The bytes of the picture that the program of a step writes.
 ///
 /// # Panics
 /// If the run fails.
 pub fn written(step: usize) -> Vec<u8> {
     let model = match step {
-        // The loaded rules.
-        11 => {
-            let house = guide::step_10::House { storeys: Some(3.0), ..Default::default() };
-            house.generate_with(&Shape::rectangle(11.0, 8.0).seed(1), &settings())
-        }
+        11 => loaded(&settings()),
         _ => guide::model(step, &settings()),
     };
     let mut png = Vec::new();

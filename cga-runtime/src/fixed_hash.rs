@@ -10,11 +10,13 @@ pub(crate) type FixedState = BuildHasherDefault<FixedHasher>;
 pub(crate) struct FixedHasher(u64);
 
 impl Hasher for FixedHasher {
+    #[inline]
     fn write(&mut self, bytes: &[u8]) {
-        for chunk in bytes.chunks(8) {
-            let mut number = [0; 8];
-            number[..chunk.len()].copy_from_slice(chunk);
-            self.write_u64(u64::from_le_bytes(number));
+        let (chunks, rest) = bytes.as_chunks::<8>();
+        chunks.iter().for_each(|chunk| self.write_u64(u64::from_le_bytes(*chunk)));
+        if !rest.is_empty() {
+            let number = rest.iter().rev().fold(0, |number, &byte| number << 8 | u64::from(byte));
+            self.write_u64(number);
         }
     }
 
@@ -26,6 +28,11 @@ impl Hasher for FixedHasher {
     #[inline]
     fn write_u32(&mut self, number: u32) {
         self.write_u64(u64::from(number));
+    }
+
+    #[inline]
+    fn write_usize(&mut self, number: usize) {
+        self.write_u64(number as u64);
     }
 
     #[inline]

@@ -255,6 +255,20 @@ impl<'s> Derivation<'s> {
         self
     }
 
+    /// The same with all points of the source at other places, and with room for more points and for corners. Texture coordinates and
+    /// normals stay as in the source: points at new places get the values of the source's plane, so only points between others
+    /// ([`PointOrigin::Between`]) may follow.
+    pub fn with_old_points_at(mut self, places: &[DVec3], points: usize, corners: usize) -> Self {
+        self.made.points = Vec::with_capacity(places.len() + points);
+        self.made.points.extend_from_slice(places);
+        self.made.corners = Vec::with_capacity(corners);
+        self.made.loop_ends = Vec::with_capacity(corners / 3);
+        if self.has_origins {
+            self.origins = (0..places.len() as u32).map(PointOrigin::Old).collect();
+        }
+        self
+    }
+
     /// Adds a face with corners of the source, in a mesh with the points of the source.
     pub fn keep<R: IntoIterator<Item = usize>>(&mut self, loops: impl IntoIterator<Item = R>, origin: FaceOrigin) {
         let corners = self.source.corners();

@@ -2,6 +2,7 @@ use glam::{DVec2, DVec3};
 
 use super::*;
 use crate::mesh::{FaceTag, MeshBuilder};
+use crate::primitive;
 use crate::trace::{Trace, TraceLayer, TracedPoint};
 use crate::work;
 
@@ -155,4 +156,26 @@ fn a_face_that_visits_a_point_twice_has_the_values_of_both_visits() {
     let mut made = Derivation::new(&mesh, CornerValues::Coordinates, 0).with_old_points();
     made.face([mesh.face(0).outer()], FaceOrigin::piece(&mesh.face(0)));
     assert_eq!(made.finish().uvs(), mesh.uvs());
+}
+
+#[test]
+fn points_at_other_places_are_the_points_of_a_moved_mesh() {
+    let mesh = primitive::cube();
+    let places: Vec<DVec3> = mesh.points().iter().map(|point| *point * 2.0 + DVec3::X).collect();
+    let moved = mesh.with_points(places.clone());
+    let divided = |made: Derivation<'_>| {
+        let mut made = made;
+        let ends = [mesh.corners()[0], mesh.corners()[1]];
+        let middle = (places[ends[0] as usize] + places[ends[1] as usize]) * 0.5;
+        let middle = made.point(middle, PointOrigin::Between { ends, share: 0.5 });
+        let face = mesh.face(0);
+        let [a, b, c, d] = *face.outer() else { panic!("a face with four corners") };
+        made.face([[a, middle, d]], FaceOrigin::piece(&face));
+        made.face([[middle, b, c, d]], FaceOrigin::piece(&face));
+        mesh.faces().skip(1).for_each(|face| made.keep(face.loop_ranges(), FaceOrigin::piece(&face)));
+        made.finish()
+    };
+    let at = divided(Derivation::new(&mesh, CornerValues::All, 0).with_old_points_at(&places, 1, 30));
+    assert_eq!(at, divided(Derivation::new(&moved, CornerValues::All, 0).with_old_points()));
+    assert_eq!((at.points().len(), at.area()), (9, 24.0));
 }

@@ -18,16 +18,27 @@ impl Triangulator {
     /// Panics if the face does not exist.
     pub fn face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
-        if !self.simple_face(&face, out) {
-            self.other_face(&face, face.normal(), |corner| face.position(corner), out);
+        let place = |corner| face.position(corner);
+        if !self.simple_face(&face, place, out) {
+            self.other_face(&face, face.normal(), place, out);
         }
+    }
+
+    /// The same for a mesh whose points are at other places, if the triangles follow from the order of the corners: triangles, and convex
+    /// quadrilaterals. Returns false for other faces.
+    ///
+    /// # Panics
+    /// Panics if the face does not exist, or if one of its points has no place.
+    pub fn simple_face_at(&mut self, mesh: &Mesh, face: usize, places: &[DVec3], out: &mut Vec<[u32; 3]>) -> bool {
+        let face = mesh.face(face);
+        !face.is_bent() && self.simple_face(&face, |corner| places[mesh.corners[corner] as usize], out)
     }
 
     /// The same for operations whose results depend on the triangles. Rounding errors do not change the triangles where corners are
     /// on a line, at the same height, or on the edge between two others: positions are first rounded to a grid.
     pub(crate) fn steady_face(&mut self, mesh: &Mesh, face: usize, out: &mut Vec<[u32; 3]>) {
         let face = mesh.face(face);
-        if self.simple_face(&face, out) {
+        if self.simple_face(&face, |corner| face.position(corner), out) {
             return;
         }
         let Some(cells) = cells_per_metre(&face) else { return self.face(mesh, face.index(), out) };
@@ -36,7 +47,7 @@ impl Triangulator {
     }
 
     /// Appends the triangles of a face whose triangles do not depend on rounding. Returns false for other faces.
-    fn simple_face(&mut self, face: &FaceRef<'_>, out: &mut Vec<[u32; 3]>) -> bool {
+    fn simple_face(&mut self, face: &FaceRef<'_>, place: impl Fn(usize) -> DVec3, out: &mut Vec<[u32; 3]>) -> bool {
         let range = face.corner_range();
         if range.len() == 3 {
             let start = range.start as u32;
@@ -47,10 +58,7 @@ impl Triangulator {
             out.extend(unbent);
             return true;
         }
-        if range.len() == 4
-            && !face.tag().cap
-            && is_surely_convex([0, 1, 2, 3].each(|at| face.position(range.start + at)))
-        {
+        if range.len() == 4 && !face.tag().cap && is_surely_convex([0, 1, 2, 3].each(|at| place(range.start + at))) {
             let [a, b, c, d] = [0, 1, 2, 3].each(|at| range.start as u32 + at);
             out.extend([[a, b, c], [a, c, d]]);
             return true;
@@ -97,6 +105,8 @@ fn cells_per_metre(face: &FaceRef<'_>) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use glam::Vec3Swizzles;
+
     use super::*;
     use crate::random::Rng;
 
@@ -151,5 +161,23 @@ mod tests {
                 assert_eq!(triangles.len(), 24, "{scale:e} {far:e}");
             }
         }
+    }
+
+    #[test]
+    fn faces_with_their_points_at_other_places_have_the_same_triangles() {
+        let mesh = crate::primitive::cube();
+        let mut places: Vec<DVec3> = mesh.points().iter().map(|point| point.zxy() * 3.0).collect();
+        let triangles = |places: &[DVec3]| {
+            let (moved, mut own) = (mesh.with_points(places.to_vec()), Vec::new());
+            (0..mesh.face_count()).for_each(|face| Triangulator::new().face(&moved, face, &mut own));
+            own
+        };
+        let mut found = Vec::new();
+        assert!((0..6).all(|face| Triangulator::new().simple_face_at(&mesh, face, &places, &mut found)));
+        assert_eq!(found, triangles(&places));
+        // A face with a straight corner is left to exact arithmetic.
+        let outer = mesh.face(0).outer();
+        places[outer[1] as usize] = (places[outer[0] as usize] + places[outer[2] as usize]) * 0.5;
+        assert!(!Triangulator::new().simple_face_at(&mesh, 0, &places, &mut found) && found.len() == 12);
     }
 }

@@ -6,7 +6,7 @@ use cga_gates::fights;
 use super::{check, planted};
 
 /// The pixels of a model that may fight, in twelve pictures together.
-const MOST: usize = 50;
+pub(super) const MOST: usize = 50;
 
 cga! {
     /// A sign in the surface of a wall, or in front of it.

@@ -5,12 +5,13 @@ use cga_gates::holes;
 
 use super::{check, planted};
 
-/// The parts with gaps, by model: railings, leaves, fences.
-fn open(name: &str) -> &'static [&'static str] {
+/// The parts with gaps, by model: railings, leaves, fences, streets around blocks without ground.
+pub(super) fn open(name: &str) -> &'static [&'static str] {
     match name {
         "bridge" => &["Rail"],
         "corner" => &["Bar", "Rail"],
         "fence" => &["Slat", "Bar", "Rail", "Plank", "Leaves", "Stalk", "Flower", "Post"],
+        "example streets" => &["Pavement", "Roadway"],
         "interior" => &["Leaf"],
         "street" => &["Crown"],
         "town_house" => &["Bar", "Rail"],

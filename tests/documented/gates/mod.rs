@@ -3,6 +3,7 @@
 mod back_faces;
 mod cracks;
 mod fights;
+mod files;
 mod holes;
 mod inside_out;
 mod nested;
@@ -23,14 +24,18 @@ struct Surveyed {
     drawn: Drawn,
     survey: Survey,
     looks: Vec<Look>,
+    /// Its GLB file.
+    file: Vec<u8>,
 }
 
 impl Surveyed {
     fn new(drawn: Drawn) -> Self {
         let units = units(&drawn.name);
         // The other trees are made for messages alone.
-        let survey = Survey::of(&drawn.model(!units.is_empty()), units);
-        Surveyed { looks: looks(&survey, PIXELS), survey, drawn }
+        let model = drawn.model(!units.is_empty());
+        let survey = Survey::of(&model, units);
+        let file = model.to_glb().unwrap_or_else(|error| panic!("{}: {error}", drawn.name));
+        Surveyed { looks: looks(&survey, PIXELS), survey, drawn, file }
     }
 
     fn report(&self, findings: &[Finding]) -> String {

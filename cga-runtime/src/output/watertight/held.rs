@@ -70,6 +70,11 @@ impl Held {
         }
     }
 
+    /// Returns true for a rectangle or a box without texture coordinates: its mesh in the world is the mesh of [`Held::faces`] at their points.
+    pub(super) fn is_plain_unit(&self) -> bool {
+        self.uvs.is_empty() && matches!(self.geometry, HeldGeometry::Quad(_) | HeldGeometry::Cuboid(_))
+    }
+
     /// The mesh of the leaf in the world. Its points are bit-equal to [`Held::faces`].
     pub(super) fn mesh(&self) -> Option<Arc<Mesh>> {
         match &self.geometry {

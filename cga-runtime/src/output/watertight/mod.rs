@@ -3,7 +3,9 @@
 //! A floor with five windows is below a floor with four: the corners of the one are inside the edges of the other. Graphics cards round
 //! the corners of triangles to parts of a pixel, so single pixels between the two floors show what is behind them.
 
+mod distinct;
 mod held;
+mod known_edges;
 mod network;
 mod search;
 mod straight;
@@ -17,7 +19,7 @@ use glam::{DAffine3, DVec3};
 use self::held::{Held, HeldGeometry};
 use self::network::Network;
 use self::straight::StraightCorners;
-use self::subdivided::Subdivider;
+use self::subdivided::{PlacedMesh, Subdivider};
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::geometry::work::{self, Supervisor};
 use crate::run::building::Building;
@@ -152,10 +154,17 @@ fn pass_divided<S: Sink>(held: &[Held], sink: &mut S) -> Flow {
         let divided = part.filter(|_| goes_on && 0 < room).and_then(|(part, is_unit)| {
             let mut has_straight =
                 || leaf.faces(&mut points).is_some_and(|faces| straight.are_in(faces.mesh, &points, near));
-            if !network.divides(part) && (is_unit || !has_straight()) {
+            if network.count_inside(part) == 0 && (is_unit || !has_straight()) {
                 return None;
             }
-            let made = subdivider.subdivided(leaf.mesh()?.as_ref(), &network, part, (!is_unit).then_some(near))?;
+            let whole;
+            let placed = if leaf.is_plain_unit() {
+                PlacedMesh::at(leaf.faces(&mut points)?.mesh, &points)
+            } else {
+                whole = leaf.mesh()?;
+                PlacedMesh::of(&whole)
+            };
+            let made = subdivider.subdivided(&placed, &network, part, (!is_unit).then_some(near))?;
             let rest = room.checked_sub(made.corners().len());
             room = rest.unwrap_or_default();
             rest.map(|_| made)

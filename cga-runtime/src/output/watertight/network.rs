@@ -1,12 +1,11 @@
 //! The distinct points and edges of the leaves of an initial shape, and the points inside of each edge.
 
-use std::collections::HashMap;
 use std::ops::Range;
 
 use glam::DVec3;
 
+use super::distinct::Distinct;
 use super::search::Search;
-use crate::fixed_hash::FixedState;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
 use crate::output::near_origin::near_origin;
@@ -17,16 +16,15 @@ const IN_EDGE: f64 = 5e-7;
 /// The largest distance from an edge in metres at which a point is in it.
 const FAR: f64 = 0.004;
 
-/// The distinct points and edges. Tables are only for look-ups, never iterated.
+/// The distinct points and edges.
 pub(super) struct Network {
     origin: DVec3,
-    /// The number of each place as sinks write it: in 32 bits, by its bits.
-    numbers: HashMap<[u32; 3], u32, FixedState>,
+    /// The places as sinks write them: in 32 bits, by their bits.
+    places: Distinct<[u32; 3]>,
     /// The first point at each place.
     points: Vec<DVec3>,
-    edge_numbers: HashMap<u64, u32, FixedState>,
     /// The ends of each edge, the lower number first.
-    edges: Vec<[u32; 2]>,
+    edges: Distinct<[u32; 2]>,
     /// The numbers of the points of all leaves.
     leaf_points: Vec<u32>,
     /// For each corner of all leaves the number of the edge that begins there, or [`NO_EDGE`].
@@ -34,6 +32,38 @@ pub(super) struct Network {
     /// For each edge the points inside, from its first to its second end, as a range of `inside`.
     ranges: Vec<[u32; 2]>,
     inside: Vec<u32>,
+    /// The largest distance of a point from the origin along an axis.
+    reach: f64,
+    box_edges: BoxEdges,
+}
+
+/// The edges of the mesh of a box. Most boxes have the mesh of the box before them.
+#[derive(Debug, Default)]
+struct BoxEdges {
+    /// The address of the mesh.
+    mesh: usize,
+    /// The points at the ends of each edge.
+    ends: Vec<[u32; 2]>,
+    /// The edge that begins at each corner.
+    of_corner: Vec<u32>,
+    /// The numbers of the edges of a box.
+    numbers: Vec<u32>,
+}
+
+impl BoxEdges {
+    /// Changes to the edges of a mesh.
+    fn read(&mut self, mesh: &Mesh) {
+        let address = std::ptr::from_ref(mesh).addr();
+        if self.mesh == address {
+            return;
+        }
+        let (adjacency, corners) = (mesh.adjacency(), mesh.corners());
+        let first = |edge: usize| adjacency.uses(edge)[0];
+        let ends = |corner: u32| [corner, adjacency.next(corner)].each(|corner| corners[corner as usize]);
+        self.mesh = address;
+        self.ends = (0..adjacency.edge_count()).map(|edge| ends(first(edge))).collect();
+        self.of_corner = (0..corners.len() as u32).map(|corner| adjacency.edge(corner) as u32).collect();
+    }
 }
 
 /// The number of an edge whose ends are one place.
@@ -57,18 +87,17 @@ impl Network {
     /// A network without points. `bounds` are the bounds of the leaves, and `corners` is their number of corners. Sinks write coordinates
     /// relative to an origin, which is computed from the bounds.
     pub(super) fn new(bounds: Bounds, corners: usize) -> Self {
-        // Boxes have half as many edges as corners, and share some points and edges.
-        let shared = corners / 2;
         Network {
             origin: near_origin(bounds),
-            numbers: HashMap::with_capacity_and_hasher(shared / 2, FixedState::default()),
+            places: Distinct::default(),
             points: Vec::new(),
-            edge_numbers: HashMap::with_capacity_and_hasher(shared, FixedState::default()),
-            edges: Vec::new(),
+            edges: Distinct::default(),
             leaf_points: Vec::new(),
             leaf_edges: Vec::with_capacity(corners),
             ranges: Vec::new(),
             inside: Vec::new(),
+            reach: 0.0,
+            box_edges: BoxEdges::default(),
         }
     }
 
@@ -80,19 +109,21 @@ impl Network {
             let number = self.number(place);
             self.leaf_points.push(number);
         }
-        let corners = mesh.corners();
-        let ends = |from: usize, to: usize| [from, to].each(|corner| first_point + corners[corner] as usize);
         if is_box {
-            let (adjacency, mut known) = (mesh.adjacency(), [NO_EDGE; 12]);
-            for (edge, known) in known.iter_mut().enumerate().take(adjacency.edge_count()) {
-                let corner = adjacency.uses(edge)[0];
-                let ends = ends(corner as usize, adjacency.next(corner) as usize).each(|point| self.leaf_points[point]);
-                *known = self.edge(ends);
+            let mut edges = std::mem::take(&mut self.box_edges);
+            edges.read(mesh);
+            edges.numbers.clear();
+            for ends in &edges.ends {
+                let number = self.edge(ends.each(|point| self.leaf_points[first_point + point as usize]));
+                edges.numbers.push(number);
             }
-            self.leaf_edges.extend((0..corners.len() as u32).map(|corner| known[adjacency.edge(corner)]));
+            self.leaf_edges.extend(edges.of_corner.iter().map(|edge| edges.numbers[*edge as usize]));
+            self.box_edges = edges;
         } else {
-            for [from, to] in mesh.faces().flat_map(|face| face.edges()) {
-                let number = self.edge(ends(from, to).each(|point| self.leaf_points[point]));
+            let corners = mesh.corners();
+            for edge in mesh.faces().flat_map(|face| face.edges()) {
+                let ends = edge.each(|corner| self.leaf_points[first_point + corners[corner] as usize]);
+                let number = self.edge(ends);
                 self.leaf_edges.push(number);
             }
         }
@@ -100,12 +131,15 @@ impl Network {
     }
 
     fn number(&mut self, place: DVec3) -> u32 {
+        let from_origin = place - self.origin;
         // −0 and 0 are one place.
-        let key = (place - self.origin).as_vec3().to_array().each(|c| (c + 0.0).to_bits());
-        let next = self.points.len() as u32;
-        let number = *self.numbers.entry(key).or_insert(next);
-        if number == next {
+        let number = self.places.number(from_origin.as_vec3().to_array().each(|c| (c + 0.0).to_bits()));
+        if number as usize == self.points.len() {
             self.points.push(place);
+            let reach = from_origin.abs().max_element();
+            if reach.is_finite() {
+                self.reach = self.reach.max(reach);
+            }
         }
         number
     }
@@ -115,23 +149,17 @@ impl Network {
         if ends[0] == ends[1] {
             return NO_EDGE;
         }
-        let next = self.edges.len() as u32;
-        let number = *self.edge_numbers.entry(edge_key(ends)).or_insert(next);
-        if number == next {
-            self.edges.push([ends[0].min(ends[1]), ends[0].max(ends[1])]);
-        }
-        number
+        self.edges.number([ends[0].min(ends[1]), ends[0].max(ends[1])])
     }
 
     /// The distance in metres within which a point is in an edge.
     pub(super) fn near(&self) -> f64 {
-        let reach = |point: &DVec3| Some((*point - self.origin).abs().max_element()).filter(|reach| reach.is_finite());
-        (IN_EDGE * self.points.iter().filter_map(reach).fold(0.0, f64::max)).min(FAR)
+        (IN_EDGE * self.reach).min(FAR)
     }
 
     /// Finds the points inside of each edge. Returns false if the work is to end; no edge has points then.
     pub(super) fn find_points(&mut self) -> bool {
-        let search = Search { points: &self.points, edges: &self.edges, origin: self.origin, near: self.near() };
+        let search = Search { points: &self.points, edges: self.edges.keys(), origin: self.origin, near: self.near() };
         match search.points_in_edges() {
             Some((ranges, inside)) => {
                 (self.ranges, self.inside) = (ranges, inside);
@@ -141,10 +169,12 @@ impl Network {
         }
     }
 
-    /// Returns true if a point is inside of an edge of a leaf.
-    pub(super) fn divides(&self, part: LeafPart) -> bool {
-        let edges = &self.leaf_edges[part.edges[0]..part.edges[1]];
-        !self.inside.is_empty() && edges.iter().any(|edge| !self.range(*edge).is_empty())
+    /// The number of points inside of the edges of a leaf. Edges of two faces count twice.
+    pub(super) fn count_inside(&self, part: LeafPart) -> usize {
+        if self.inside.is_empty() {
+            return 0;
+        }
+        self.leaf_edges[part.edges[0]..part.edges[1]].iter().map(|edge| self.range(*edge).len()).sum()
     }
 
     /// The points inside of the edge of a leaf that begins at a corner, in the direction of its network edge.
@@ -167,9 +197,4 @@ impl Network {
     pub(super) fn place(&self, point: u32) -> DVec3 {
         self.points[point as usize]
     }
-}
-
-/// The edge between two points, in any direction.
-fn edge_key([a, b]: [u32; 2]) -> u64 {
-    u64::from(a.min(b)) << 32 | u64::from(a.max(b))
 }

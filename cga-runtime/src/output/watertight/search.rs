@@ -3,11 +3,11 @@
 //! Most edges of a building have one of few directions. Seen along such a direction, an edge is a point, so a table has the edges at each
 //! place across it, and each point of the shape is looked up once. Other edges are compared with a tree of all points.
 
-use std::collections::HashMap;
+use std::ops::Range;
 
 use glam::{DVec3, Vec3Swizzles};
 
-use crate::fixed_hash::FixedState;
+use super::distinct::Distinct;
 use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::each::Each;
 use crate::geometry::long_sort::long_sort_by;
@@ -18,13 +18,36 @@ use crate::geometry::work;
 const DIRECTION: f64 = 1e-7;
 
 /// If edges have more directions than [`FEW_DIRECTIONS`], a direction has a table if it has at least this share of edges for each point.
-const EDGES_A_POINT: f64 = 0.05;
+const EDGES_A_POINT: f64 = 0.01;
+
+/// With less edges for each point, only the points in the bounds of the edges are seen along the direction.
+const MANY_EDGES_A_POINT: f64 = 0.15;
+
+/// An edge has the direction of an axis if its ends differ by less than this across it, for each metre of its length.
+const ALONG_AXIS: f64 = 1e-9;
 
 /// If edges have at most this number of directions, each direction has a table. More tables take longer than a tree of all points.
 const FEW_DIRECTIONS: usize = 16;
 
+/// Directions that are compared one by one, before a table has the others.
+const FIRST_DIRECTIONS: usize = 6;
+
 /// Points of a cell are sorted if there are more.
 const MANY: usize = 32;
+
+/// The side of a cell, and the reach of an edge around it, in distances within which a point is in an edge. Most edges are in one cell.
+const CELL: f64 = 30.901_699_437_5;
+const REACH: f64 = 1.25;
+
+/// An edge is seen as a point if its ends are nearer, in the same unit.
+const SLANT: f64 = 0.25;
+
+/// Points at the ends of an edge are not compared with it: along a direction they are nearer to an end than this, in the same unit. An edge
+/// and its direction differ by less than the rest.
+const AT_END: f64 = 0.5;
+
+/// The points or edges between two counts of work.
+const BLOCK: usize = 1024;
 
 /// The most comparisons of a point with an edge, for each point and edge of the shape, and for every shape. Only shapes with very many parts
 /// in one place need more. Their last edges get no points.
@@ -49,11 +72,9 @@ type Inside = (Vec<[u32; 2]>, Vec<u32>);
 /// A direction and the numbers of its edges.
 type Direction = (DVec3, Vec<u32>);
 
-/// An edge seen along its direction: the range of lengths along it, and the cells of the table in which its points may be.
-struct Seen {
+/// An edge seen along its direction, and the cells of the table in which its points may be: up to four, and then [`NO_CELL`].
+struct Line {
     edge: u32,
-    segment: Segment,
-    lengths: [f64; 2],
     cells: [u32; 4],
 }
 
@@ -77,6 +98,23 @@ struct Finder<'a> {
     told: usize,
     /// The points inside of the edge that is compared, with their distances from its start.
     found: Vec<(f64, u32)>,
+    table: Table,
+}
+
+/// The points and edges as they are seen along a direction. It keeps its lists from direction to direction.
+#[derive(Default)]
+struct Table {
+    /// The points that may be in the cells.
+    near: Vec<u32>,
+    /// For each of these points, by its number, its place across the direction and along it.
+    seen: Vec<[f64; 3]>,
+    places: Distinct<[i64; 2]>,
+    lines: Vec<Line>,
+    /// For each of these points, by its number, its cell or [`NO_CELL`].
+    cells: Vec<u32>,
+    /// For each cell the end of its points in `sorted`.
+    ends: Vec<u32>,
+    sorted: Vec<InCell>,
 }
 
 /// An edge that is compared with points.
@@ -97,6 +135,7 @@ impl Search<'_> {
             comparisons: 0,
             told: 0,
             found: Vec::new(),
+            table: Table::default(),
         };
         let (classes, mut others) = self.directions()?;
         for (along, edges) in classes {
@@ -109,19 +148,17 @@ impl Search<'_> {
 
     /// The directions of many edges, each with the numbers of its edges, and the other edges.
     fn directions(&self) -> Option<(Vec<Direction>, Vec<u32>)> {
-        let mut numbers: HashMap<[i32; 3], u32, FixedState> = HashMap::default();
+        let mut keys: Distinct<[i64; 3]> = Distinct::default();
         // For each direction its longest edge.
         let mut found: Vec<(f64, DVec3, Vec<u32>)> = Vec::new();
         for number in 0..self.edges.len() as u32 {
             if !work::spend(1) {
                 return None;
             }
-            let Some(Segment { along, length, .. }) = self.segment(number) else { continue };
-            let size = along.abs();
-            let main = (0..3).fold(0, |most, axis| if size[most] < size[axis] { axis } else { most });
-            let along = if along[main] < 0.0 { -along } else { along };
-            let key = (along / DIRECTION).round().to_array().each(|c| c as i32);
-            let at = *numbers.entry(key).or_insert(found.len() as u32) as usize;
+            let Some((key, along, length)) = self.direction(number) else { continue };
+            // Most edges have one of the first directions.
+            let first = keys.keys().iter().take(FIRST_DIRECTIONS).position(|known| *known == key);
+            let at = first.unwrap_or_else(|| keys.number(key) as usize);
             if at == found.len() {
                 found.push((length, along, Vec::new()));
             }
@@ -143,6 +180,24 @@ impl Search<'_> {
         Some((classes, others))
     }
 
+    /// The direction of an edge as whole numbers and as a vector, and its length, if it is long enough for a point.
+    fn direction(&self, edge: u32) -> Option<([i64; 3], DVec3, f64)> {
+        let [from, to] = self.edges[edge as usize].each(|end| self.points[end as usize]);
+        let size = (to - from).abs();
+        for (axis, along) in DVec3::AXES.into_iter().enumerate() {
+            let (length, across) = (size[axis], ALONG_AXIS * size[axis]);
+            if size[(axis + 1) % 3] <= across && size[(axis + 2) % 3] <= across {
+                let is_long = 2.0 * self.near < length && length.is_finite();
+                let key = along.to_array().each(|c| (c / DIRECTION) as i64);
+                return is_long.then_some((key, along, length));
+            }
+        }
+        let Segment { along, length, .. } = self.segment(edge)?;
+        let main = (0..3).fold(0, |most, axis| if size[most] < size[axis] { axis } else { most });
+        let along = if along[main] < 0.0 { -along } else { along };
+        Some((along.to_array().each(|c| whole(c * (1.0 / DIRECTION) + 0.5)), along, length))
+    }
+
     /// The edge with a number, if it is long enough for a point.
     fn segment(&self, edge: u32) -> Option<Segment> {
         let [from, to] = self.edges[edge as usize].each(|end| self.points[end as usize]);
@@ -156,89 +211,37 @@ impl Finder<'_> {
     /// Finds the points inside of edges with about one direction. Edges with a slightly different one are added to `others`. `None` if the
     /// work is to end.
     fn of_direction(&mut self, along: DVec3, edges: &[u32], others: &mut Vec<u32>) -> Option<()> {
-        let Search { points, origin, near, .. } = *self.search;
-        let (u, v) = along.any_orthonormal_pair();
-        let cell_size = 8.0 * near;
-        let seen = |point: DVec3| [u, v, along].map(|axis| (point - origin).dot(axis));
-        let cell = |u: f64, v: f64| [u, v].each(|c| whole(c / cell_size));
-        let mut cells: HashMap<[i64; 2], u32, FixedState> = HashMap::default();
-        let mut lines = Vec::with_capacity(edges.len());
-        for &edge in edges {
-            if !work::spend(2) {
-                return None;
+        let mut table = std::mem::take(&mut self.table);
+        let goes_on = table.fill(self.search, along, edges, others);
+        let goes_on = goes_on.and_then(|()| table.lines.iter().try_for_each(|line| self.of_line(&table, line)));
+        self.table = table;
+        goes_on
+    }
+
+    /// Finds the points inside of an edge in the cells of a table. `None` if the work is to end.
+    fn of_line(&mut self, table: &Table, line: &Line) -> Option<()> {
+        if self.is_full() {
+            return Some(());
+        }
+        let [from, to] = self.search.edges[line.edge as usize].each(|end| table.seen[end as usize][2]);
+        let end = AT_END * self.search.near;
+        let (low, high) = (from.min(to) + end, from.max(to) - end);
+        let mut segment = None;
+        for &cell in line.cells.iter().take_while(|cell| **cell != NO_CELL) {
+            let mut points = &table.sorted[table.range(cell as usize)];
+            if MANY < points.len() {
+                let first = points.partition_point(|at| at.length <= low);
+                points = &points[first..];
+                points = &points[..points.partition_point(|at| at.length < high)];
             }
-            let [from, to] = self.search.edges[edge as usize].each(|end| seen(points[end as usize]));
-            let slant = (from[0] - to[0]).abs().max((from[1] - to[1]).abs());
-            if slant.is_nan() || 0.25 * near < slant {
-                others.push(edge);
-                continue;
-            }
-            let Some(segment) = self.search.segment(edge) else { continue };
-            let reach = 1.25 * near;
-            let mut own = [NO_CELL; 4];
-            let mut last = None;
-            for (corner, [at_u, at_v]) in
-                [[-reach, -reach], [-reach, reach], [reach, -reach], [reach, reach]].into_iter().enumerate()
-            {
-                let place = cell(from[0] + at_u, from[1] + at_v);
-                // Most edges are in one cell.
-                if last == Some(place) {
-                    continue;
-                }
-                last = Some(place);
-                let next = cells.len() as u32;
-                let number = *cells.entry(place).or_insert(next);
-                if !own.contains(&number) {
-                    own[corner] = number;
+            for at in points.iter().filter(|at| low < at.length && at.length < high) {
+                segment = segment.or_else(|| self.search.segment(line.edge));
+                if let Some(segment) = &segment {
+                    self.compare(segment, at.point);
                 }
             }
-            lines.push(Seen { edge, segment, lengths: [from[2].min(to[2]), from[2].max(to[2])], cells: own });
         }
-        let mut in_cells = Vec::new();
-        // The number of points in each cell; later the end of its points.
-        let mut ends = vec![0_u32; cells.len() + 1];
-        for (point, &place) in (0..).zip(points) {
-            if !work::spend(1) {
-                return None;
-            }
-            let [u, v, length] = seen(place);
-            if let Some(&cell) = cells.get(&cell(u, v)) {
-                ends[cell as usize + 1] += 1;
-                in_cells.push((cell, InCell { point, length }));
-            }
-        }
-        (0..cells.len()).for_each(|cell| ends[cell + 1] += ends[cell]);
-        let mut sorted = vec![InCell { point: 0, length: 0.0 }; in_cells.len()];
-        for (cell, at) in in_cells {
-            let end = &mut ends[cell as usize];
-            sorted[*end as usize] = at;
-            *end += 1;
-        }
-        let range = |cell: usize| if cell == 0 { 0 } else { ends[cell - 1] as usize }..ends[cell] as usize;
-        for cell in 0..cells.len() {
-            let points = &mut sorted[range(cell)];
-            let order = |a: &InCell, b: &InCell| a.length.total_cmp(&b.length).then(a.point.cmp(&b.point));
-            if MANY < points.len() && !long_sort_by(points, order) {
-                return None;
-            }
-        }
-        for line in &lines {
-            if self.is_full() {
-                break;
-            }
-            for &cell in line.cells.iter().filter(|cell| **cell != NO_CELL) {
-                let points = &sorted[range(cell as usize)];
-                let [low, high] = line.lengths;
-                let first = if MANY < points.len() { points.partition_point(|at| at.length < low) } else { 0 };
-                let last =
-                    if MANY < points.len() { points.partition_point(|at| at.length <= high) } else { points.len() };
-                for at in points[first..last].iter().filter(|at| low <= at.length && at.length <= high) {
-                    self.compare(&line.segment, at.point);
-                }
-            }
-            self.end_edge(line.edge)?;
-        }
-        Some(())
+        self.end_edge(line.edge)
     }
 
     /// Finds the points inside of edges of any directions. `None` if the work is to end.
@@ -314,6 +317,133 @@ impl Finder<'_> {
             self.ranges[edge as usize] = [start, self.inside.len() as u32];
         }
         work::spend(units).then_some(())
+    }
+}
+
+impl Table {
+    /// Fills the table with the edges of a direction, and with the points in their cells. Edges with a slightly different direction are
+    /// added to `others`. `None` if the work is to end.
+    fn fill(&mut self, search: &Search<'_>, along: DVec3, edges: &[u32], others: &mut Vec<u32>) -> Option<()> {
+        let Search { points, origin, near, .. } = *search;
+        let (u, v) = along.any_orthonormal_pair();
+        self.find_near(search, edges)?;
+        self.seen.resize(points.len(), [0.0; 3]);
+        self.cells.resize(points.len(), NO_CELL);
+        for block in self.near.chunks(BLOCK) {
+            if !work::spend(block.len()) {
+                return None;
+            }
+            for &point in block {
+                let from_origin = points[point as usize] - origin;
+                self.seen[point as usize] = [u, v, along].each(|axis| from_origin.dot(axis));
+                self.cells[point as usize] = NO_CELL;
+            }
+        }
+        self.places.clear();
+        self.lines.clear();
+        let (reach, cells_a_metre) = (REACH * near, 1.0 / (CELL * near));
+        // Zero is in the middle of a cell: many edges are there.
+        let cell = |c: f64| whole(c * cells_a_metre + 0.5);
+        for block in edges.chunks(BLOCK) {
+            if !work::spend(2 * block.len()) {
+                return None;
+            }
+            for &edge in block {
+                let [a, b] = search.edges[edge as usize].each(|end| end as usize);
+                let [from, to] = [a, b].each(|end| self.seen[end]);
+                let slant = (from[0] - to[0]).abs().max((from[1] - to[1]).abs());
+                if slant.is_nan() || SLANT * near < slant {
+                    others.push(edge);
+                    continue;
+                }
+                let [[u, last_u], [v, last_v]] = [from[0], from[1]].each(|c| [cell(c - reach), cell(c + reach)]);
+                let mut own = [NO_CELL; 4];
+                if (u, v) == (last_u, last_v) {
+                    // Both ends are in the one cell.
+                    own[0] = self.cells[a].min(self.cells[b]);
+                    if own[0] == NO_CELL {
+                        own[0] = self.places.number([u, v]);
+                    }
+                    self.cells[a] = own[0];
+                    self.cells[b] = own[0];
+                } else {
+                    let mut count = 0;
+                    for u in u..=last_u {
+                        for v in v..=last_v {
+                            own[count % 4] = self.places.number([u, v]);
+                            count += 1;
+                        }
+                    }
+                }
+                self.lines.push(Line { edge, cells: own });
+            }
+        }
+        self.sort_points(|[u, v, _]| [cell(u), cell(v)])
+    }
+
+    /// Finds the points that may be inside of some edges, and the ends of the edges. `None` if the work is to end.
+    fn find_near(&mut self, search: &Search<'_>, edges: &[u32]) -> Option<()> {
+        let points = search.points;
+        if !work::spend(points.len()) {
+            return None;
+        }
+        self.near.clear();
+        if MANY_EDGES_A_POINT * points.len() as f64 <= edges.len() as f64 {
+            self.near.extend(0..points.len() as u32);
+            return Some(());
+        }
+        let ends = edges.iter().flat_map(|edge| search.edges[*edge as usize]).map(|end| points[end as usize]);
+        let around = Bounds::of(ends);
+        let (low, high) = (around.low - search.near, around.high + search.near);
+        let is_near = |point: &DVec3| low.cmple(*point).all() && point.cmple(high).all();
+        self.near.extend((0..).zip(points).filter(|(_, point)| is_near(point)).map(|(number, _)| number));
+        Some(())
+    }
+
+    /// The points of a cell in `sorted`.
+    fn range(&self, cell: usize) -> Range<usize> {
+        let start = if cell == 0 { 0 } else { self.ends[cell - 1] };
+        start as usize..self.ends[cell] as usize
+    }
+
+    /// Finds the cell of each point that is not an end of an edge, and sorts the points by cells. `None` if the work is to end.
+    fn sort_points(&mut self, place: impl Fn([f64; 3]) -> [i64; 2]) -> Option<()> {
+        let count = self.places.keys().len();
+        self.ends.clear();
+        self.ends.resize(count + 1, 0);
+        for block in self.near.chunks(BLOCK) {
+            if !work::spend(block.len()) {
+                return None;
+            }
+            for &point in block {
+                let cell = &mut self.cells[point as usize];
+                if *cell == NO_CELL {
+                    *cell = self.places.get(place(self.seen[point as usize])).unwrap_or(NO_CELL);
+                }
+                if *cell != NO_CELL {
+                    self.ends[*cell as usize + 1] += 1;
+                }
+            }
+        }
+        (0..count).for_each(|cell| self.ends[cell + 1] += self.ends[cell]);
+        self.sorted.clear();
+        self.sorted.resize(self.ends[count] as usize, InCell { point: 0, length: 0.0 });
+        for &point in &self.near {
+            let cell = self.cells[point as usize];
+            if cell != NO_CELL {
+                let end = &mut self.ends[cell as usize];
+                self.sorted[*end as usize] = InCell { point, length: self.seen[point as usize][2] };
+                *end += 1;
+            }
+        }
+        for cell in 0..count {
+            let range = self.range(cell);
+            let order = |a: &InCell, b: &InCell| a.length.total_cmp(&b.length).then(a.point.cmp(&b.point));
+            if MANY < range.len() && !long_sort_by(&mut self.sorted[range], order) {
+                return None;
+            }
+        }
+        Some(())
     }
 }
 

@@ -3,14 +3,14 @@
 //! A face is divided as sinks divide it, but without its straight corners. Then each triangle with points in its sides is divided into
 //! triangles of which none has three points in one line.
 
-use std::collections::HashMap;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
+use super::known_edges::KnownEdges;
 use super::network::{LeafPart, Network};
 use super::straight::StraightCorners;
-use crate::fixed_hash::FixedState;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{FaceRef, Mesh};
@@ -26,6 +26,17 @@ pub(super) struct Subdivider {
     face: DividedFace,
     flat: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
+    points: NewPoints,
+}
+
+/// The points of a mesh under construction. It keeps its lists from mesh to mesh.
+#[derive(Default)]
+struct NewPoints {
+    /// The places of all points.
+    places: Vec<DVec3>,
+    /// The new points in each edge, as ranges of `points`.
+    known: KnownEdges,
+    points: Vec<u32>,
 }
 
 /// A face whose sides have points.
@@ -56,10 +67,33 @@ struct EdgePoints<'a> {
     network: &'a Network,
     part: LeafPart,
     made: Derivation<'a>,
-    places: Vec<DVec3>,
-    /// The new points in each edge, from its lower point to its higher one. Only for look-ups, never iterated.
-    known: HashMap<[u32; 2], Range<usize>, FixedState>,
-    points: Vec<u32>,
+    new: &'a mut NewPoints,
+}
+
+/// A mesh whose points may be at other places.
+pub(super) struct PlacedMesh<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) places: &'a [DVec3],
+    /// The same as one mesh, where `places` are not its points.
+    moved: Option<OnceCell<Mesh>>,
+}
+
+impl<'a> PlacedMesh<'a> {
+    /// A mesh without texture coordinates and normals, with its points at other places.
+    pub(super) fn at(mesh: &'a Mesh, places: &'a [DVec3]) -> Self {
+        PlacedMesh { mesh, places, moved: Some(OnceCell::new()) }
+    }
+
+    pub(super) fn of(mesh: &'a Mesh) -> Self {
+        PlacedMesh { mesh, places: mesh.points(), moved: None }
+    }
+
+    fn whole(&self) -> &Mesh {
+        match &self.moved {
+            Some(moved) => moved.get_or_init(|| self.mesh.with_points(self.places.to_vec())),
+            None => self.mesh,
+        }
+    }
 }
 
 impl Subdivider {
@@ -67,22 +101,25 @@ impl Subdivider {
     /// the distance from an edge within which a corner is in it, for a mesh that may have straight corners. `None` if the work is to end.
     pub(super) fn subdivided(
         &mut self,
-        mesh: &Mesh,
+        placed: &PlacedMesh<'_>,
         network: &Network,
         part: LeafPart,
         near: Option<f64>,
     ) -> Option<Mesh> {
-        let mut edges = EdgePoints {
-            network,
-            part,
-            made: Derivation::new(mesh, CornerValues::All, 2 * mesh.corners().len()).with_old_points(),
-            places: mesh.points().to_vec(),
-            known: HashMap::default(),
-            points: Vec::new(),
-        };
+        let PlacedMesh { mesh, places, .. } = *placed;
+        let new = &mut self.points;
+        new.places.clear();
+        new.places.extend_from_slice(places);
+        new.known.clear();
+        new.points.clear();
+        let inside = network.count_inside(part);
+        // A face with some corners and points in its edges has two triangles less.
+        let corners = 3 * (mesh.corners().len() + inside);
+        let made = Derivation::new(mesh, CornerValues::All, corners).with_old_points_at(places, inside, corners);
+        let mut edges = EdgePoints { network, part, made, new };
         for face in mesh.faces() {
             let is_reduced = match near {
-                Some(near) => self.straight.find(&face, mesh.points(), near),
+                Some(near) => self.straight.find(&face, places, near),
                 None => self.straight.has_none(),
             };
             if !is_reduced && face.corner_range().all(|corner| network.inside(part, corner).is_empty()) {
@@ -104,15 +141,19 @@ impl Subdivider {
             if is_reduced {
                 let projection = PlaneProjection::along(face.normal());
                 self.flat.clear();
-                self.flat.extend(self.face.corners.iter().map(|c| projection.apply(edges.places[c.point as usize])));
+                self.flat
+                    .extend(self.face.corners.iter().map(|c| projection.apply(edges.new.places[c.point as usize])));
                 self.triangulator.polygon(&self.flat, &self.face.ends, &mut self.triangles);
             } else {
-                self.triangulator.face(mesh, face.index(), &mut self.triangles);
+                let triangles = &mut self.triangles;
+                if !self.triangulator.simple_face_at(mesh, face.index(), places, triangles) {
+                    self.triangulator.face(placed.whole(), face.index(), triangles);
+                }
                 let start = face.corner_range().start as u32;
                 self.triangles.iter_mut().flatten().for_each(|corner| *corner -= start);
             }
             self.face.made.clear();
-            self.triangles.iter().for_each(|triangle| self.face.divide(*triangle, &edges.places));
+            self.triangles.iter().for_each(|triangle| self.face.divide(*triangle, &edges.new.places));
             self.face.made.iter().for_each(|triangle| edges.made.face([triangle], FaceOrigin::piece(&face)));
         }
         Some(edges.made.finish())
@@ -128,24 +169,25 @@ impl EdgePoints<'_> {
             return (0..0, false);
         }
         let ends = [from.min(to), from.max(to)];
-        if let Some(range) = self.known.get(&ends) {
-            return (range.clone(), to < from);
+        let NewPoints { places, known, points } = &mut *self.new;
+        if let Some(range) = known.get(ends) {
+            return (range, to < from);
         }
         let is_turned = self.network.is_turned(self.part, ends);
-        let start = self.points.len();
-        let [low, high] = ends.each(|end| self.places[end as usize]);
+        let start = points.len();
+        let [low, high] = ends.each(|end| places[end as usize]);
         let length = (high - low).length();
         for &point in inside {
             let place = self.network.place(point);
             let share = ((place - low).length() / length).clamp(0.0, 1.0);
-            self.points.push(self.made.point(place, PointOrigin::Between { ends, share }));
-            self.places.push(place);
+            points.push(self.made.point(place, PointOrigin::Between { ends, share }));
+            places.push(place);
         }
         if is_turned {
-            self.points[start..].reverse();
+            points[start..].reverse();
         }
-        let range = start..self.points.len();
-        self.known.insert(ends, range.clone());
+        let range = start..points.len();
+        known.add(ends, range.clone());
         (range, to < from)
     }
 }
@@ -171,7 +213,7 @@ impl DividedFace {
                 }
                 let (points, is_turned) = edges.of_edge(range.start + at % ring.len(), [point, next]);
                 let start = self.sides.len();
-                self.sides.extend(&edges.points[points]);
+                self.sides.extend(&edges.new.points[points]);
                 if is_turned {
                     self.sides[start..].reverse();
                 }
