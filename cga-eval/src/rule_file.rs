@@ -222,6 +222,6 @@ impl Grammar for RuleFile {
     }
 
     fn session<'g>(&'g self, settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
-        Ok(Box::new(Session::new(self, settings)?))
+        session::open(self, settings)
     }
 }

@@ -3,6 +3,8 @@
 //! is not part of the public promise, as the versions of the crates are pinned to each other.
 
 pub use std::boxed::Box;
+/// The type of waiting calls of grammars in which no call waits.
+pub use std::convert::Infallible as NoCall;
 pub use std::string::String;
 pub use std::sync::LazyLock;
 pub use std::vec::Vec;
@@ -19,7 +21,7 @@ pub use crate::geometry::mesh::{TextureSpace, UvAxis};
 pub use crate::grammar::attribute::{Attribute, AttributeKind, ChoiceValues, Choices, Range, check};
 pub use crate::grammar::lazy::{Lazy, Origin, computed};
 pub use crate::grammar::parallel::{Stretch, generate_all, run_all};
-pub use crate::grammar::session::{DynSession, Session, generate, generate_from, run, used_values};
+pub use crate::grammar::session::{DynSession, Session, generate, generate_from, open, run, used_values};
 pub use crate::grammar::support::{array, bake, branch, global, hidden, image, renew, string, text};
 pub use crate::grammar::{Evaluated, Field, Grammar, RuleSource, RustCall, RustCode, Unrunnable};
 pub use crate::op::{Length, set, slim};

@@ -1,8 +1,10 @@
 //! Arrays: making them, taking from them, setting in them, functions over them.
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::{Error, LimitKind, cga};
 
-use crate::{each_is, lines, lot, model};
+use crate::{each_is, lines, lot, model, rules};
 
 #[test]
 fn arrays_are_printed_with_their_size() {
@@ -102,7 +104,7 @@ fn elements() {
 
 #[test]
 fn what_is_no_number_counts_as_0_and_leaves_a_fault() {
-    cga! {
+    rules! {
         grammar Odd = "const a = [4,5]  nan = (scope.sx - 2) / 0
             Lot --> print(a[nan]) print(a[nan + 1/0]) print([1:nan:3]) print(setElems(a, nan, 1)) print(a[[1, nan]]) X.";
     }
@@ -218,12 +220,12 @@ fn functions_that_call_themselves_work_on_arrays() {
 
 #[test]
 fn an_array_that_grows_for_ever_ends_the_run() {
-    cga! { grammar Growing = "twice(a, n) = case n == 0 : a else : twice([a, a], n - 1)  Lot --> print(size(twice([1, 2], 100)))"; }
+    rules! { grammar Growing = "twice(a, n) = case n == 0 : a else : twice([a, a], n - 1)  Lot --> print(size(twice([1, 2], 100)))"; }
     match Growing::default().generate(&lot()) {
         Err(Error::Limit { what: LimitKind::Array, .. }) => {}
         other => panic!("{other:?}"),
     }
-    cga! { grammar Range = "Lot --> print(size([0:1e-300:1])) X."; }
+    rules! { grammar Range = "Lot --> print(size([0:1e-300:1])) X."; }
     match Range::default().generate(&lot()) {
         Err(Error::Limit { what: LimitKind::Array, .. }) => {}
         other => panic!("{other:?}"),

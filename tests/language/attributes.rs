@@ -2,7 +2,7 @@
 
 use cga::{Array, Grammar, cga};
 
-use crate::{lines, lot, model};
+use crate::{lines, lot, model, rules};
 
 #[test]
 fn attributes_and_constants_are_evaluated_once_on_the_initial_shape() {
@@ -30,7 +30,7 @@ fn attributes_may_depend_on_one_another_in_any_order() {
 
 #[test]
 fn set_reaches_what_comes_of_the_shape_and_nothing_else() {
-    cga! {
+    rules! {
         grammar Reach = r#"
             attr n = 1
             attr list = [1, 2]
@@ -56,7 +56,7 @@ fn set_reaches_what_comes_of_the_shape_and_nothing_else() {
 
 #[test]
 fn set_changes_nothing_that_was_computed_from_the_attribute() {
-    cga! {
+    rules! {
         grammar Computed = "attr a = 1  attr b = a * 10  const c = b + 1  f = a * 100
             Lot --> set(a, 2) print(a) print(b) print(c) print(f) X.";
     }
@@ -65,7 +65,7 @@ fn set_changes_nothing_that_was_computed_from_the_attribute() {
 
 #[test]
 fn functions_are_evaluated_on_the_shape_that_asks() {
-    cga! {
+    rules! {
         grammar Asks = r#"
             attr n = 3
             area = scope.sx * scope.sz

@@ -2,7 +2,7 @@
 
 use cga::{Grammar, cga};
 
-use crate::{clean, each_is, leaves, lines, lot, model};
+use crate::{clean, each_is, leaves, lines, lot, model, rules};
 
 fn seeded(grammar: &dyn Grammar, seed: u64) -> cga::Model {
     clean(grammar.generate(&lot().seed(seed)).expect("a model"))
@@ -23,7 +23,7 @@ fn a_stochastic_rule_draws_until_one_is_true() {
     cga! { grammar Shares = "Lot --> print(30% : 1 5% : 2 5% : 3 else : 4) print(rand()) Next
         Next --> 30% : A 5% : B 5% : C else : D
         A --> print(rand()) X.  B --> print(rand()) X.  C --> print(rand()) X.  D --> print(rand()) X."; }
-    cga! { grammar Draws = "
+    rules! { grammar Draws = "
         which = case p(0.3) : 1 else : case p(0.05/0.7) : 2 else : case p(0.05/0.65) : 3 else : 4
         Lot --> print(which) print(rand()) Next
         Next --> case p(0.3) : A else : case p(0.05/0.7) : B else : case p(0.05/0.65) : C else : D
@@ -43,14 +43,14 @@ fn a_stochastic_rule_draws_until_one_is_true() {
 
 #[test]
 fn nothing_is_drawn_for_what_is_certain_to_be_left() {
-    cga! { grammar One = "Lot --> print(rand()) print(100% : 1 else : 2) print(rand())"; }
-    cga! { grammar Other = "Lot --> print(rand()) print(case p(1) : 1 else : 2) print(rand())"; }
+    rules! { grammar One = "Lot --> print(rand()) print(100% : 1 else : 2) print(rand())"; }
+    rules! { grammar Other = "Lot --> print(rand()) print(case p(1) : 1 else : 2) print(rand())"; }
     assert_eq!(lines(&model(&One::default())), lines(&model(&Other::default())));
 }
 
 #[test]
 fn an_attribute_is_drawn_once_from_a_stream_of_its_own() {
-    cga! { grammar Few = "attr a = rand()  const c = rand()
+    rules! { grammar Few = "attr a = rand()  const c = rand()
     Lot --> print(a) print(c) print(rand()) Next  Next --> print(a) print(c) X."; }
     cga! { grammar Many = "attr first = rand()  attr twice = a + rand() + rand()  const c = rand()  attr a = rand()
         draw = rand()
@@ -69,9 +69,9 @@ fn an_attribute_is_drawn_once_from_a_stream_of_its_own() {
 
 #[test]
 fn a_function_is_drawn_at_each_use_from_the_stream_of_the_shape() {
-    cga! { grammar Uses = "draw = rand()  Lot --> print(draw) print(draw) [ print(draw) ] print(draw) A
+    rules! { grammar Uses = "draw = rand()  Lot --> print(draw) print(draw) [ print(draw) ] print(draw) A
     A --> print(draw) X."; }
-    cga! { grammar Written = "Lot --> print(rand()) print(rand()) [ print(rand()) ] print(rand()) A
+    rules! { grammar Written = "Lot --> print(rand()) print(rand()) [ print(rand()) ] print(rand()) A
     A --> print(rand()) X."; }
     let uses = lines(&model(&Uses::default()));
     assert_eq!(uses, lines(&model(&Written::default())));
@@ -82,8 +82,8 @@ fn a_function_is_drawn_at_each_use_from_the_stream_of_the_shape() {
 
 #[test]
 fn a_part_of_the_rules_does_not_disturb_the_others() {
-    cga! { grammar Plain = "Lot --> split(x) { ~1 : A | ~1 : B }  A --> X.  B --> print(rand()) [ 50% : Y. else : Z. ]"; }
-    cga! { grammar Busy = "Lot --> split(x) { ~1 : A | ~1 : B }  A --> print(\"a\") [ 50% : X. else : [ Y. ] A2 ]  A2 --> s(rand(), 1, 1) X.
+    rules! { grammar Plain = "Lot --> split(x) { ~1 : A | ~1 : B }  A --> X.  B --> print(rand()) [ 50% : Y. else : Z. ]"; }
+    rules! { grammar Busy = "Lot --> split(x) { ~1 : A | ~1 : B }  A --> print(\"a\") [ 50% : X. else : [ Y. ] A2 ]  A2 --> s(rand(), 1, 1) X.
     B --> print(rand()) [ 50% : Y. else : Z. ]"; }
     for seed in 0..20 {
         let (plain, busy) = (seeded(&Plain::default(), seed), seeded(&Busy::default(), seed));

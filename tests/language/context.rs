@@ -1,9 +1,11 @@
 //! Queries of labelled shapes of the same initial shape (*contextCount*, *contextCompare*, *minimumDistance function*).
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::glam::DVec3;
 use cga::{Scene, Settings, Shape, cga};
 
-use crate::{clean, leaves, lines, model};
+use crate::{clean, leaves, lines, model, rules};
 
 #[test]
 fn labelled_copies_count_and_the_first_derivation_prints_nothing() {
@@ -14,7 +16,7 @@ fn labelled_copies_count_and_the_first_derivation_prints_nothing() {
 
 #[test]
 fn reports_and_faults_of_the_first_derivation_are_dropped() {
-    cga! {
+    rules! {
         grammar Reported = r#"
             Lot --> case contextCount(intra, "a") == 0 : report("first", 1) s(1 / 0, 1, 1) label("a") First.
                 else : report("second", 1) Second."#;
@@ -26,7 +28,7 @@ fn reports_and_faults_of_the_first_derivation_are_dropped() {
 
 #[test]
 fn tiles_know_how_many_there_are() {
-    cga! {
+    rules! {
         grammar Tiles = r#"
             Lot --> split(x) { 1 : split(z) { 1 : Tile }* }*
             Tile --> label("tile") Counted
@@ -41,7 +43,7 @@ fn tiles_know_how_many_there_are() {
 
 #[test]
 fn cells_around_a_label_are_lower_with_their_distance() {
-    cga! {
+    rules! {
         grammar Cells = r#"
             Lot --> split(x) { ~0.1 : Column(split.index) }*
             Column(i) --> split(z) { ~0.1 : Cell(i, split.index) }*
@@ -71,7 +73,7 @@ fn cells_around_a_label_are_lower_with_their_distance() {
 
 #[test]
 fn points_keep_their_distance_to_labelled_boxes() {
-    cga! {
+    rules! {
         grammar Trees = r#"
             Lot --> scatter(surface, 300, uniform) { Point }
             Point --> 5% : s(0.2, 1, 0.2) label("red") Red. else : Thin
@@ -96,7 +98,7 @@ fn points_keep_their_distance_to_labelled_boxes() {
 
 #[test]
 fn shapes_are_ranked_by_what_is_better() {
-    cga! {
+    rules! {
         grammar Ranked = r#"
             Lot --> split(x) { ~1 : Tower(split.index) }*
             Tower(n) --> extrude(1 + n % 3) label("tower") Compared(n)
@@ -115,7 +117,7 @@ fn shapes_are_ranked_by_what_is_better() {
 
 #[test]
 fn unknown_labels_and_neighbours_give_the_defaults() {
-    cga! {
+    rules! {
         grammar Defaults = r#"
             Lot --> label("a") print(minimumDistance(intra, "b")) print(minimumDistance(inter, "a")) print(contextCount(inter, "a"))
                 print(minimumDistance(all, "a")) print(contextCount(all, "a")) print(touches(inter)) X."#;
@@ -134,7 +136,7 @@ fn unknown_labels_and_neighbours_give_the_defaults() {
 
 #[test]
 fn queries_are_answered_wherever_they_are() {
-    cga! {
+    rules! {
         grammar Everywhere = r#"
             attr n = contextCount(intra, "a")
             const each = comp(fe) { all : minimumDistance(intra, "a") }
@@ -153,7 +155,7 @@ fn queries_are_answered_wherever_they_are() {
 
 #[test]
 fn derivations_below_a_repeat_are_not_replayed() {
-    cga! {
+    rules! {
         grammar Repeated = r#"
             Lot --> split(x) { 1 : Bay }*
             Bay --> label("bay") Tile
@@ -170,7 +172,7 @@ fn derivations_below_a_repeat_are_not_replayed() {
 #[test]
 fn both_derivations_draw_the_same_numbers() {
     // Labels with a random name are found by the same draw.
-    cga! {
+    rules! {
         grammar Found = r#"
             Lot --> split(x) { ~1 : Bay }*
             Bay --> Named(str(rint(1000000 * rand(1))))
@@ -186,7 +188,7 @@ fn both_derivations_draw_the_same_numbers() {
 
 #[test]
 fn a_tree_of_shapes_has_the_answers_of_the_model() {
-    cga! {
+    rules! {
         grammar Told = r#"
             Lot --> split(x) { 1 : Tile }*
             Tile --> label("tile") Counted

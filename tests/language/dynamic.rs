@@ -2,7 +2,7 @@
 
 use cga::{Shape, cga};
 
-use crate::{leaves, lines, model, sum};
+use crate::{leaves, lines, model, rules, sum};
 
 #[test]
 fn a_dynamic_import_begins_with_what_the_static_one_says() {
@@ -12,15 +12,15 @@ fn a_dynamic_import_begins_with_what_the_static_one_says() {
     let made = model(&Anew::default());
     assert_eq!((sum(&made, "height"), sum(&made, "double")), (Some(50.0), Some(100.0)));
     assert_eq!(leaves(&made), ["Mine", "Mine"]);
-    cga! { grammar Lost = r#"import imp : "rules/import/height.cga"  Lot --> set(imp.height, 20) imp( ).Lot"#; }
+    rules! { grammar Lost = r#"import imp : "rules/import/height.cga"  Lot --> set(imp.height, 20) imp( ).Lot"#; }
     assert_eq!(sum(&model(&Lost::default()), "height"), Some(10.0));
-    cga! { grammar Flows = r#"import imp : "rules/import/height.cga"  attr height = 4  Lot --> imp( ).Lot"#; }
+    rules! { grammar Flows = r#"import imp : "rules/import/height.cga"  attr height = 4  Lot --> imp( ).Lot"#; }
     assert_eq!(sum(&model(&Flows::default()), "height"), Some(4.0));
 }
 
 #[test]
 fn values_are_computed_where_the_call_stands() {
-    cga! {
+    rules! {
         grammar Called = r#"
             import imp : "rules/import/inner.cga"
             Lot --> split(x) { ~1 : Part(split.index + 5) | ~1 : Part(6) }
@@ -32,7 +32,7 @@ fn values_are_computed_where_the_call_stands() {
 
 #[test]
 fn everything_that_depends_on_it_is_computed_again() {
-    cga! {
+    rules! {
         grammar Depends = r#"
             import imp : "rules/import/inner.cga"
             Lot --> imp(h = 7).Lot imp(k = 1).Say imp.Say print(imp.c)
@@ -47,7 +47,7 @@ fn everything_that_depends_on_it_is_computed_again() {
 
 #[test]
 fn what_it_is_given_may_depend_on_the_value_so_far() {
-    cga! {
+    rules! {
         grammar Sofar = r#"
             import imp : "rules/import/inner.cga"
             Lot --> set(imp.h, 1) imp(h = imp.h + 1).Say imp(h = imp.h * 3, k = imp.h).Say imp(h = 8).Lot(imp.h)
@@ -61,7 +61,7 @@ fn what_it_is_given_may_depend_on_the_value_so_far() {
 
 #[test]
 fn rules_that_call_themselves_keep_the_values() {
-    cga! {
+    rules! {
         grammar Recursive = r#"
             import imp : "rules/import/inner.cga"
             Lot --> imp(h = 9).Deep(2) imp.Deep(0)
@@ -74,7 +74,7 @@ fn rules_that_call_themselves_keep_the_values() {
 
 #[test]
 fn extensions_are_replaced_for_one_call() {
-    cga! {
+    rules! {
         grammar Once = r#"
             import imp : "rules/import/inner.cga" (h = 1, Roof(n) --> First.)
             Lot --> imp(Roof(n) --> print(n + mine) Second.).Lot imp.Lot imp(h = 3, Roof(x) --> Other(x)).Lot(2)
@@ -92,7 +92,7 @@ fn extensions_are_replaced_for_one_call() {
 
 #[test]
 fn imports_of_the_import_start_again_too() {
-    cga! {
+    rules! {
         grammar Nested = r#"
             import a : "rules/import/outer.cga"
             Lot --> set(a.b.h, 50) a(h = 3).Lot a.b.Say
@@ -105,7 +105,7 @@ fn imports_of_the_import_start_again_too() {
 
 #[test]
 fn the_shape_goes_on_as_it_was() {
-    cga! {
+    rules! {
         grammar After = r#"
             import imp : "rules/import/inner.cga"
             Lot --> imp(h = 9).Say print(imp.h) t(1, 0, 0) imp.Say
@@ -133,7 +133,7 @@ fn given_values_count_in_any_case() {
 
 #[test]
 fn dynamic_imports_stand_wherever_rules_do() {
-    cga! {
+    rules! {
         @Allow(undefined_rule)
         grammar Anywhere = r#"
             import imp : "rules/import/inner.cga"
@@ -151,9 +151,9 @@ fn dynamic_imports_stand_wherever_rules_do() {
 
 #[test]
 fn values_are_drawn_again_for_each_call_and_from_their_own_streams() {
-    cga! { grammar Few = r#"import imp : "rules/import/drawn.cga"
+    rules! { grammar Few = r#"import imp : "rules/import/drawn.cga"
     Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
-    cga! { grammar More = r#"import imp : "rules/import/drawn.cga" (c = 1)
+    rules! { grammar More = r#"import imp : "rules/import/drawn.cga" (c = 1)
     Lot --> imp( ).Show imp( ).Show imp(b = 1).Show print(rand())"#; }
     // The line of `Lot` comes first.
     let (few, more) = (lines(&model(&Few::default())), lines(&model(&More::default())));
@@ -170,7 +170,7 @@ fn values_are_drawn_again_for_each_call_and_from_their_own_streams() {
 
 #[test]
 fn what_goes_on_with_a_leaf_goes_on_with_it_in_every_call() {
-    cga! {
+    rules! {
         grammar Continued = r#"
             import imp : "rules/import/height.cga" ( Roof --> imp2( Roof --> Inner. ).Lot )
             import imp2 : "rules/import/height.cga"

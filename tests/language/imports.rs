@@ -2,13 +2,13 @@
 
 use cga::{Grammar, cga};
 
-use crate::{leaves, lines, lot, model, model_of, sum};
+use crate::{leaves, lines, lot, model, model_of, rules, sum};
 
 #[test]
 fn attributes_flow_into_an_import() {
     cga! { grammar Flows = r#"import imp : "rules/import/height.cga" attr height = 20  Lot --> imp.Lot"#; }
     cga! { grammar Keeps = r#"import imp : "rules/import/height.cga" (height) attr height = 20  Lot --> imp.Lot"#; }
-    cga! { grammar KeepsAll = r#"import imp : "rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }
+    rules! { grammar KeepsAll = r#"import imp : "rules/import/height.cga" () attr height = 20  Lot --> imp.start"#; }
     cga! { grammar Gives = r#"import imp : "rules/import/height.cga" (height = 20)  Lot --> imp.Lot"#; }
     let doubled: [(&dyn Grammar, f64); 4] =
         [(&Flows::default(), 20.0), (&Keeps::default(), 10.0), (&KeepsAll::default(), 10.0), (&Gives::default(), 20.0)];
@@ -24,7 +24,7 @@ fn attributes_flow_into_an_import() {
 
 #[test]
 fn an_override_is_evaluated_where_it_is_written() {
-    cga! {
+    rules! {
         grammar Written = r#"
             import imp : "rules/import/inner.cga" (h = base + drawn * 0, name = "mine" + imp.h)
             attr base = 30
@@ -40,7 +40,7 @@ fn an_override_is_evaluated_where_it_is_written() {
 
 #[test]
 fn an_override_may_refer_to_what_it_overrides() {
-    cga! { grammar Itself = r#"
+    rules! { grammar Itself = r#"
         import imp : "rules/import/inner.cga" (h = imp.h + 1, k = imp.k + imp.h)
         Lot --> imp.Lot"#; }
     let made = model(&Itself::default());
@@ -50,7 +50,7 @@ fn an_override_may_refer_to_what_it_overrides() {
 
 #[test]
 fn an_override_reaches_attributes_further_down() {
-    cga! { @Allow(old_spelling) grammar Deep = r#"
+    rules! { @Allow(old_spelling) grammar Deep = r#"
         import imp : "rules/import/outer.cga" (b.h = base + imp.b.h)
         attr base = 30
         Lot --> imp.Lot imp(b.h = 8).Lot"#; }
@@ -62,7 +62,7 @@ fn an_override_reaches_attributes_further_down() {
 
 #[test]
 fn functions_constants_and_rules_of_an_import_are_at_hand() {
-    cga! {
+    rules! {
         grammar Uses = r#"
             import imp : "rules/import/inner.cga"
             attr h = 7
@@ -78,7 +78,7 @@ fn functions_constants_and_rules_of_an_import_are_at_hand() {
 
 #[test]
 fn start_stands_for_the_rules_that_are_marked_so() {
-    cga! { grammar Starts = r#"import imp : "rules/import/inner.cga"
+    rules! { grammar Starts = r#"import imp : "rules/import/inner.cga"
         start Begin --> imp.start start(9)
         start Begin(n) --> imp.start(n)"#; }
     let made = model(&Starts::default());
@@ -185,7 +185,7 @@ fn imports_of_imports() {
 
 #[test]
 fn an_extension_is_replaced_by_what_the_importing_file_says() {
-    cga! {
+    rules! {
         grammar Replaced = r##"
             import imp : "rules/import/inner.cga" (Roof(x) --> color(tint) report("mine", x + h) Mine(x))
             attr h = 100
@@ -207,7 +207,7 @@ fn an_extension_is_replaced_by_what_the_importing_file_says() {
 
 #[test]
 fn an_extension_may_forward_to_the_one_it_replaces() {
-    cga! {
+    rules! {
         grammar Forwards = r#"
             import imp : "rules/import/inner.cga" (Roof(n) --> MyRoof(n + 1))
             extension MyRoof(n) --> imp.Roof(n)
@@ -216,7 +216,7 @@ fn an_extension_may_forward_to_the_one_it_replaces() {
     }
     let made = model(&Forwards::default());
     assert_eq!((sum(&made, "roof"), leaves(&made)), (Some(6.0), vec!["Flat"]));
-    cga! {
+    rules! {
         grammar Through = r#"
             import a : "rules/import/outer.cga" (Cover(n) --> report("cover", n) Mine.)
             import c : "rules/import/outer.cga"
@@ -229,7 +229,7 @@ fn an_extension_may_forward_to_the_one_it_replaces() {
 
 #[test]
 fn a_rule_marked_as_start_can_replace_an_extension() {
-    cga! {
+    rules! {
         grammar Started = r#"
             import roof : "rules/import/height.cga"
             import imp : "rules/import/inner.cga" (h = 8, Roof(n) --> s(n, 1, n) roof.start)
@@ -243,7 +243,7 @@ fn a_rule_marked_as_start_can_replace_an_extension() {
 
 #[test]
 fn leaves_of_an_import_are_continued() {
-    cga! {
+    rules! {
         grammar Continued = r#"
             import imp : "rules/import/inner.cga"
             attr mine = 2
@@ -254,13 +254,13 @@ fn leaves_of_an_import_are_continued() {
     }
     let made = model(&Continued::default());
     assert_eq!((lines(&made), leaves(&made)), (vec!["8".to_owned(), "none".to_owned()], vec!["One", "None"]));
-    cga! { @Allow(undefined_rule) grammar Left = r#"import imp : "rules/import/inner.cga"  Lot --> imp.Open(4) imp.Nowhere"#; }
+    rules! { @Allow(undefined_rule) grammar Left = r#"import imp : "rules/import/inner.cga"  Lot --> imp.Open(4) imp.Nowhere"#; }
     assert_eq!(leaves(&model(&Left::default())), ["Missing", "Missing", "imp.Nowhere"]);
 }
 
 #[test]
 fn set_changes_an_attribute_of_an_import_for_what_follows() {
-    cga! {
+    rules! {
         grammar Sets = r#"
             import imp : "rules/import/inner.cga"
             Lot --> [ set(imp.h, 1) imp.Set imp.Say ] set(imp.list, [imp.h]) imp.Say imp.Set

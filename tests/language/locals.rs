@@ -2,7 +2,7 @@
 
 use cga::cga;
 
-use crate::{lines, model};
+use crate::{lines, model, rules};
 
 #[test]
 fn locals_are_computed_once_in_order() {
@@ -30,7 +30,7 @@ fn locals_are_computed_once_in_order() {
 
 #[test]
 fn a_local_sees_the_shape_as_it_was_when_the_definition_was_entered() {
-    cga! {
+    rules! {
         grammar Entered = r#"
             width with ( w := scope.sx ) = w
             say(x) with ( y := print(x) ) = y + y
@@ -43,7 +43,7 @@ fn a_local_sees_the_shape_as_it_was_when_the_definition_was_entered() {
 
 #[test]
 fn a_function_that_calls_itself_has_locals_for_each_call() {
-    cga! {
+    rules! {
         grammar Deep = r#"
             sum(n) with ( rest := n - 1 ) = case n <= 0 : 0 else : n + sum(rest)
             Lot --> print(sum(10)) Count(3)

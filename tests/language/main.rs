@@ -138,3 +138,31 @@ macro_rules! each_is {
     }};
 }
 use each_is;
+
+/// Rules that a test only runs, as text: they are loaded when the test runs, because compiled rules take the compiler a tenth of a second a grammar. The
+/// name has the function `default` alone. The feature `compiled` compiles them.
+#[cfg(not(feature = "compiled"))]
+macro_rules! rules {
+    ($(@Allow($finding:ident))? grammar $name:ident = $rules:expr;) => {
+        struct $name;
+
+        impl $name {
+            fn default() -> cga::RuleFile {
+                static RULES: std::sync::LazyLock<cga::RuleFile> =
+                    std::sync::LazyLock::new(|| crate::loaded(stringify!($name), $rules));
+                RULES.clone()
+            }
+        }
+    };
+}
+#[cfg(feature = "compiled")]
+use cga::cga as rules;
+#[cfg(not(feature = "compiled"))]
+use rules;
+
+/// A grammar that is loaded. Its files are in the folder of the tests.
+#[cfg(not(feature = "compiled"))]
+fn loaded(name: &str, rules: &str) -> cga::RuleFile {
+    let loader = cga::RuleFile::loader().named(name).root(env!("CARGO_MANIFEST_DIR"));
+    loader.text(rules).unwrap_or_else(|error| panic!("{name}: {error}"))
+}

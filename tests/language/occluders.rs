@@ -2,11 +2,13 @@
 //!
 //! The comments have the numbers of a list of facts from the reference.
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::glam::DVec3;
 use cga::mesh::MeshBuilder;
 use cga::{FaultKind, Mesh, Model, Scene, Settings, Shape, cga};
 
-use crate::{clean, leaves, lines};
+use crate::{clean, leaves, lines, rules};
 
 fn model_of(grammar: &dyn cga::Grammar) -> Model {
     clean(grammar.generate(&Shape::rectangle(10.0, 10.0)).expect("a model"))
@@ -82,7 +84,7 @@ fn a_label_chooses_solids_and_open_shapes_stay_open() {
 #[test]
 fn an_empty_label_is_a_fault_and_leaves_no_shape() {
     // Facts 18 and 55.
-    cga! {
+    rules! {
         grammar Empty = r#"
             attr none = ""
             Lot --> label(none) print(contextCount(intra, none)) print(minimumDistance(intra, none)) print(contextCompare(intra, none, world.highest)) X."#;
@@ -96,7 +98,7 @@ fn an_empty_label_is_a_fault_and_leaves_no_shape() {
 #[test]
 fn a_label_leaves_a_copy_of_the_shape_at_that_moment() {
     // Facts 16, 56 and 57: the copy is flat, it has the place before `t`, and it is found by the rule that leaves it and by the rules below.
-    cga! {
+    rules! {
         grammar Copied = r#"
             Lot --> label("a") t(0, 0, 5) print(minimumDistance(intra, "a")) Below
             Below --> t(0, 7, 0) print(rint(1000 * minimumDistance(intra, "a"))) print(contextCount(intra, "a")) X."#;
@@ -158,7 +160,7 @@ fn surfaces_with_two_faces_at_each_edge_occlude_if_these_agree_on_a_side() {
         }
         builder.build().expect("a mesh")
     };
-    cga! {
+    rules! {
         grammar Asked = r#"
             Lot --> split(y) { '1 : print(geometry.isClosedSurface) Solid. } [ t(0.3, 0.3, 0.3) s(0.2, 0.2, 0.2) primitiveCube() Probe ]
             Probe --> case inside(intra) : Hidden. else : Free.
@@ -176,7 +178,7 @@ fn surfaces_with_two_faces_at_each_edge_occlude_if_these_agree_on_a_side() {
 #[test]
 fn shapes_of_the_first_derivation_alone_are_not_seen_by_neighbours() {
     // Facts 14, 29 and 32.
-    cga! {
+    rules! {
         grammar Gone = r#"
             Lot --> split(z) { ~1 : Front | ~1 : Back }
             Front --> case contextCount(intra, "back") == 0 : extrude(10) Tower. else : extrude(1) Base.
@@ -197,7 +199,7 @@ fn shapes_of_the_first_derivation_alone_are_not_seen_by_neighbours() {
 #[test]
 fn constants_and_attributes_may_ask_about_neighbours() {
     // Fact 26.
-    cga! {
+    rules! {
         grammar Asking = r#"
             attr near = minimumDistance(inter, "a")
             const sides = comp(fe) { all : minimumDistance(inter, "a") }
@@ -214,7 +216,7 @@ fn constants_and_attributes_may_ask_about_neighbours() {
 #[test]
 fn each_target_finds_its_own_shapes() {
     // Facts 7 and 23: inserted assets are leaves; without a target both count.
-    cga! {
+    rules! {
         grammar Targets = r#"
             attr kind = "none"
             Lot --> [ t(2, 0, 2) s(6, 5, 6) Own ] [ t(4, 1, 4) s(1, 1, 1) primitiveCube() Probe ]
@@ -241,7 +243,7 @@ fn each_target_finds_its_own_shapes() {
 #[test]
 fn ranks_and_counts_of_neighbours_leave_out_the_own_shapes() {
     // Facts 63 to 66: a shape without the label has a rank, too, and a rank is the number of shapes that are better.
-    cga! {
+    rules! {
         grammar Ranked = r#"
             attr height = 1
             Lot --> extrude(height) label("tower") print(ranks) X.
@@ -264,7 +266,7 @@ fn ranks_and_counts_of_neighbours_leave_out_the_own_shapes() {
 #[test]
 fn closed_shapes_of_operands_are_not_found_and_keys_go_on() {
     // Facts 9 and 71.
-    cga! {
+    rules! {
         grammar Operands = r#"
             Lot --> inline(append) { extrude(5) comp(f) { all : Face. } } Part Part
             Part --> print(getTreeKey) X.

@@ -4,7 +4,7 @@ use cga::glam::DVec3;
 use cga::mesh::Bounds;
 use cga::{Error, LimitKind, Model, Shape, cga};
 
-use crate::{clean, leaves};
+use crate::{clean, leaves, rules};
 
 fn model_of(grammar: &dyn cga::Grammar, width: f64, depth: f64) -> Model {
     clean(grammar.generate(&Shape::rectangle(width, depth)).expect("a model"))
@@ -18,7 +18,7 @@ fn queries_ask_the_first_derivation() {
             Block --> case overlaps(intra) : Red. else : s('2, '1, '2) center(xyz) Green.
         "#;
     }
-    cga! {
+    rules! {
         grammar Apart = r#"
             Lot --> extrude(10) split(x) { 10 : Block }*
             Block --> case overlaps(intra) : s('2, '1, '2) center(xyz) Red. else : Green.
@@ -46,7 +46,7 @@ fn ancestors_descendants_and_copies_do_not_occlude() {
 
 #[test]
 fn siblings_occlude_with_a_label_too() {
-    cga! {
+    rules! {
         grammar Named = r#"
             Lot --> split(x) { 10 : Block(split.index) }*
             Block(n) --> case n == 0 : extrude(10) label("first") Sides else : extrude(10) Sides
@@ -61,7 +61,7 @@ fn siblings_occlude_with_a_label_too() {
 
 #[test]
 fn facades_and_lots_do_not_occlude() {
-    cga! {
+    rules! {
         grammar Open = r#"
             Lot --> split(x) { 10 : Tile }*
             Tile --> case touches(intra) : Hidden. else : Free.
@@ -72,7 +72,7 @@ fn facades_and_lots_do_not_occlude() {
 
 #[test]
 fn the_limit_of_depth_ends_a_rule_that_asks_for_ever() {
-    cga! { grammar Alone = r#"Lot --> extrude(1) A  A --> case touches(intra) : A else : X."#; }
+    rules! { grammar Alone = r#"Lot --> extrude(1) A  A --> case touches(intra) : A else : X."#; }
     cga! { grammar Two = r#"Lot --> extrude(1) split(x) { 1 : A }*  A --> case touches(intra) : A else : X."#; }
     assert_eq!(leaves(&model_of(&Alone::default(), 1.0, 1.0)), ["X"]);
     let error = Two::default().generate(&Shape::rectangle(2.0, 1.0)).expect_err("a limit");
@@ -82,7 +82,7 @@ fn the_limit_of_depth_ends_a_rule_that_asks_for_ever() {
 #[test]
 fn a_staircase_has_eighteen_hidden_tiles() {
     // The example of *occlusion queries*, with storeys of 4 m.
-    cga! {
+    rules! {
         grammar Staircase = r#"
             Lot --> extrude(15) split(x) { ~5 : Step }*
             Step --> s('1, '0.7 * (split.index + 1), '1) comp(f) { side : Facade | top : X. }
@@ -146,7 +146,7 @@ fn all_trees_that_overlap_another_tree_or_a_house_are_gone() {
 
 #[test]
 fn edges_and_points_are_inside_or_overlap() {
-    cga! {
+    rules! {
         grammar Parts = r#"
             Lot --> split(x) { 4 : extrude(4) Solid. | ~1 : Line }
             Line --> t(-2, 2, 1) s(4, 0, 2) comp(fe) { all : Edge } comp(fv) { all : Point }

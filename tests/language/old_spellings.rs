@@ -2,7 +2,7 @@
 
 use cga::cga;
 
-use crate::{leaves, lines, lot, model};
+use crate::{leaves, lines, lot, model, rules};
 
 #[test]
 fn index_finds_an_element_as_find_first_does() {
@@ -18,7 +18,7 @@ fn index_finds_an_element_as_find_first_does() {
 
 #[test]
 fn old_attributes_and_operations_set_the_material() {
-    cga! {
+    rules! {
         grammar Material = r#"
             Lot --> set(material.map3, "builtin:uvtest.png") set(material.map4, "builtin:uvtest.png") set(material.map5, "builtin:default") opacity(0.25)
                 print(material.specularmap + material.opacitymap + material.normalmap + material.map3) print(material.opacity)
@@ -32,7 +32,7 @@ fn old_attributes_and_operations_set_the_material() {
 
 #[test]
 fn old_words_for_streets_ask_about_the_front() {
-    cga! {
+    rules! {
         grammar Streets = r#"
             Lot --> s(4, 3, 2) primitiveCube()
                 print(geometry.area(streetSide) == geometry.area(street.front))
@@ -46,7 +46,7 @@ fn old_words_for_streets_ask_about_the_front() {
 
 #[test]
 fn the_width_of_a_street_is_a_value_for_each_edge() {
-    cga! {
+    rules! {
         grammar Widths = r#"
             attr streetWidth(edge) = case edge == 0 : 8 else : 0
             attr first = streetWidth(0)
@@ -73,7 +73,7 @@ fn a_list_in_a_range_is_an_enumeration() {
 
 #[test]
 fn rules_overload_operations_by_types() {
-    cga! {
+    rules! {
         grammar Overloads = r##"
             Lot --> [ color(true) ] [ color("#ff0000") print(material.color.rgb) NIL ] [ extrude("high") ] [ label(3) ]
             color(dark) --> case dark : Dark. else : Light.

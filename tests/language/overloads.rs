@@ -2,7 +2,7 @@
 
 use cga::cga;
 
-use crate::{leaves, lines, model};
+use crate::{leaves, lines, model, rules};
 
 #[test]
 fn functions_differ_in_number_and_types_of_their_parameters() {
@@ -56,7 +56,7 @@ fn own_functions_come_before_those_of_the_language() {
 
 #[test]
 fn a_rule_a_function_and_an_attribute_may_share_a_name() {
-    cga! {
+    rules! {
         grammar Shared = r#"
             attr Wall = 3
             Height(x) = x * 2
@@ -87,7 +87,7 @@ fn a_function_takes_what_its_body_can_do_something_with() {
 
 #[test]
 fn each_call_has_types_of_its_own() {
-    cga! {
+    rules! {
         grammar Calls = r#"
             f(x) = x
             g(x) = f(x)
@@ -113,7 +113,7 @@ fn each_call_has_types_of_its_own() {
 
 #[test]
 fn a_rule_is_called_with_several_types() {
-    cga! {
+    rules! {
         grammar Several = r#"
             start Lot --> R(1, 3) R("a", 2) R(true, 1) R("b", 1)
             R(v, n) --> case n == 0 : Done(v) else : split(x) { ~1 : R(v, n - 1) }
@@ -157,7 +157,7 @@ fn styles_call_with_types_of_their_own() {
 
 #[test]
 fn functions_and_rules_of_an_import_have_types_of_each_call() {
-    cga! {
+    rules! {
         grammar Imports = r#"
             import imp : "rules/import/generic.cga"
             import two : "rules/import/generic.cga" (own = 5)
@@ -170,7 +170,7 @@ fn functions_and_rules_of_an_import_have_types_of_each_call() {
 
 #[test]
 fn generic_and_other_overloads_share_a_name() {
-    cga! {
+    rules! {
         grammar Mixed = r#"
             attr a = what(1)
             const b = what("t") + what(true)

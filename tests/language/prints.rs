@@ -1,8 +1,10 @@
 //! The order of printed lines: by depth in the tree of shapes, as the reference lists them (*getTreeKey function*).
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::{Limits, Settings, cga};
 
-use crate::{clean, lines, lot, model};
+use crate::{clean, lines, lot, model, rules};
 
 #[test]
 fn lines_come_breadth_first() {
@@ -32,7 +34,7 @@ fn lines_come_breadth_first() {
 
 #[test]
 fn blocks_have_the_depth_of_their_rule() {
-    cga! {
+    rules! {
         grammar Blocks = r#"
             Lot --> split(x) { ~1 : A print("first part") | ~1 : split(z) { ~1 : A print("second part") } }
                 comp(f) { all : A print("face") } [ A print("bracket") ] print("end")
@@ -45,7 +47,7 @@ fn blocks_have_the_depth_of_their_rule() {
 
 #[test]
 fn expressions_print_at_the_depth_of_the_rule_that_evaluates_them() {
-    cga! {
+    rules! {
         grammar Expressions = r#"
             attr a = print("attribute")
             const c = print("constant")
@@ -67,7 +69,7 @@ fn expressions_print_at_the_depth_of_the_rule_that_evaluates_them() {
 
 #[test]
 fn an_import_that_starts_again_prints_at_the_depth_of_the_call() {
-    cga! {
+    rules! {
         grammar Dynamic = r#"
             import imp : "rules/import/printing.cga"
             Lot --> A imp(height = 3).Lot
@@ -79,7 +81,7 @@ fn an_import_that_starts_again_prints_at_the_depth_of_the_call() {
     assert_eq!(last, ["height 3", "A", "Lot", "Part"], "{lines:?}");
 }
 
-cga! {
+rules! {
     grammar Recursive = r#"
         attr levels = 3000
         Lot --> Down(0) Side(0)
@@ -100,7 +102,7 @@ fn calls_that_wait_keep_their_depth() {
 
 #[test]
 fn lines_beyond_the_limit_are_those_derived_last() {
-    cga! {
+    rules! {
         grammar Many = r#"
             Lot --> print(1) A print(2) print(3)
             A --> print("A") X.
@@ -117,7 +119,7 @@ const CHILD: &str = "CGA_TEST_ECHO";
 
 #[test]
 fn the_console_has_the_same_order() {
-    cga! {
+    rules! {
         grammar Echo = r#"
             Lot --> A print("echo 1") Endless
             A --> print("echo 2") X.

@@ -4,6 +4,8 @@ use std::sync::Arc;
 
 use cga::{Assets, FaultKind, Grammar, Limits, Mesh, Model, Settings, Shape, ValueType, cga};
 
+use crate::rules;
+
 /// The lines that a rule prints on a lot of 10 by 20 m.
 fn printed(model: &Model) -> Vec<String> {
     assert_eq!(model.faults(), []);
@@ -176,7 +178,7 @@ fn a_flood_of_reports_and_lines_is_dammed() {
 
 #[test]
 fn primitives_are_instances_until_they_are_changed() {
-    cga! {
+    rules! {
         grammar Instances = r#"
             version "2025.1"
             Lot --> [ extrude(2) Asked ] primitiveQuad() Asked s(5, 4, 3) primitiveCube() Asked t(1, 0, 0) r(0, 20, 0) s('2, '1, '1) Asked
@@ -194,7 +196,7 @@ fn primitives_are_instances_until_they_are_changed() {
 
 #[test]
 fn the_group_of_an_initial_shape_is_its_name() {
-    cga! {
+    rules! {
         grammar Groups = r#"
             Lot --> Asked extrude(2) Asked split(x) { ~1 : Asked } comp(g) { all : Asked } [ primitiveCube() Asked ]
             Asked --> print(geometry.groups) NIL
@@ -219,7 +221,7 @@ fn builtin_assets_are_always_there() {
 
 #[test]
 fn a_split_of_several_edges_keeps_the_vertices_that_they_share() {
-    cga! {
+    rules! {
         grammar Edges = r#"
             Lot --> [ comp(e) { all = Split } ] extrude(5) [ comp(e) { all = Split } ] comp(fe) { all = Split }
             Split --> split(x) { 4 : Asked | ~1 : Asked }

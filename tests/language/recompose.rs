@@ -1,9 +1,11 @@
 //! *Shape recomposition*: `inline(recompose)` and `modify`.
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::glam::DVec3;
 use cga::{Model, Settings, Shape, cga};
 
-use crate::{clean, leaves, lines, written};
+use crate::{clean, leaves, lines, rules, written};
 
 cga! {
     grammar Recomposed = r##"
@@ -348,7 +350,7 @@ fn random_cells_are_a_continuous_surface() {
 #[test]
 fn parts_that_nothing_moves_are_the_whole_again() {
     let whole = {
-        cga! { grammar Plain = r#"Lot --> roofHip(30) X."#; }
+        rules! { grammar Plain = r#"Lot --> roofHip(30) X."#; }
         clean(Plain::default().generate_with(&Shape::rectangle(9.0, 6.0), &Settings::default()).expect("a model"))
     };
     for rule in ["Faces", "Nothing"] {

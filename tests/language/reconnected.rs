@@ -2,10 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::mesh::FaceRef;
 use cga::{Mesh, Model, Settings, Shape, cga};
 
-use crate::clean;
+use crate::{clean, rules};
 
 cga! {
     grammar Random = r##"
@@ -77,7 +79,7 @@ fn volume(mesh: &Mesh) -> f64 {
 #[test]
 fn divisions_are_undone() {
     let whole = |start: &str| -> [f64; 2] {
-        cga! {
+        rules! {
             grammar Plain = r#"
             @StartRule
             Solid --> extrude(7) X.
@@ -131,7 +133,7 @@ fn moved_parts_stay_connected() {
 
 #[test]
 fn odd_places_do_no_harm() {
-    cga! {
+    rules! {
         grammar Odd = r##"
         @StartRule
         NotANumber --> inline(recompose) split(x) { '0.5 : t(0, 0/0, 0) X. | ~1 : s('1, '1, 1/0) X. } X.

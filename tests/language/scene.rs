@@ -5,8 +5,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cga::{Batches, Error, Grammars, Limits, Model, Scene, Settings, Shape, Watch, cga};
 
-use crate::leaves;
 use crate::scene_laws::{District, lots};
+use crate::{leaves, rules};
 
 cga! {
     grammar Towers = r#"
@@ -45,7 +45,7 @@ fn the_highest_of_all_towers_is_red() {
 
 #[test]
 fn a_shape_is_compared_with_its_own_initial_shape_only_by_intra_and_all() {
-    cga! {
+    rules! {
         grammar Counted = r#"Lot --> label("a") label("b") print(contextCount(intra, "a") + ";" + contextCount(inter, "a")
             + ";" + contextCount(all, "a") + ";" + minimumDistance(inter, "b") + ";" + minimumDistance(all, "b")) X."#;
     }
@@ -62,7 +62,7 @@ fn a_shape_is_compared_with_its_own_initial_shape_only_by_intra_and_all() {
 
 #[test]
 fn edges_that_face_a_block_are_set_back() {
-    cga! {
+    rules! {
         grammar Street = r#"
             Lot --> extrude(4) label("Block") comp(f) { bottom : NIL | top : Garden | side : NIL }
             Garden --> setbackPerEdge(dist) { all : Strip. | remainder : Rest. }
@@ -76,7 +76,7 @@ fn edges_that_face_a_block_are_set_back() {
     assert_eq!(models.iter().map(strips).collect::<Vec<_>>(), [52.0, 64.0, 52.0]);
 }
 
-cga! {
+rules! {
     grammar Blocks = r#"
         attr height = 10
         Lot --> extrude(height) comp(f) { side : Facade | top : Roof. }
@@ -101,7 +101,7 @@ fn party_walls_have_no_windows() {
 
 #[test]
 fn neighbours_are_near_in_plan_and_their_queries_have_defaults() {
-    cga! {
+    rules! {
         grammar Grown = r#"
             attr up = 0
             Lot --> extrude(10) t(0, up, 0) Block
@@ -245,7 +245,7 @@ fn scenes_end_with_the_first_error_a_watch_or_what_takes_the_models() {
 
 #[test]
 fn an_error_names_the_neighbour_whose_derivation_failed() {
-    cga! { grammar Asking = "Lot --> print(touches(inter)) X."; }
+    rules! { grammar Asking = "Lot --> print(touches(inter)) X."; }
     cga! { grammar Endless = "Lot --> split(x) { 0.1 : extrude(1) Y. }*"; }
     let grammars = Grammars::new().with(Asking::default()).with(Endless::default());
     let few = Settings { limits: Limits { shapes: 20, ..Limits::default() }, ..Settings::default() };

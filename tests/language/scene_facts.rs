@@ -4,10 +4,12 @@
 
 use std::sync::Arc;
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::mesh::MeshBuilder;
 use cga::{Assets, Model, Scene, Settings, Shape, cga};
 
-use crate::{clean, leaves, lines};
+use crate::{clean, leaves, lines, rules};
 
 /// The model of a lot of 10 m. There is an asset, a cube without its lid.
 fn model_of(grammar: &dyn cga::Grammar) -> Model {
@@ -68,7 +70,7 @@ fn other_operations_make_no_occluder_of_the_shape_before_them() {
     }
 }
 
-cga! {
+rules! {
     grammar Blocks = r#"
         Lot --> extrude(10) print(touches(inter)) print(overlaps(inter)) X.
         @StartRule
@@ -99,7 +101,7 @@ fn the_neighbourhood_is_a_distance_in_plan_between_initial_shapes() {
 #[test]
 fn corners_are_neighbours_by_their_euclidean_distance() {
     // Fact 24: gaps of 0.6 m in x and in z are 0.85 m, and gaps of 0.8 m are 1.13 m. The second block is moved over the first lot.
-    cga! {
+    rules! {
         grammar Corner = r#"
             Lot --> extrude(10) print(overlaps(inter)) X.
             @StartRule
@@ -119,7 +121,7 @@ fn corners_are_neighbours_by_their_euclidean_distance() {
 #[test]
 fn the_first_derivation_has_the_answers_of_neighbours() {
     // Fact 30: the annex is there only because the neighbour is, and the wall that asks about its own shapes finds it.
-    cga! {
+    rules! {
         grammar Grown = r#"
             Lot --> extrude(10) Mass
             Mass --> [ t('1, 0, 0) Annex ] comp(f) { right : Wall | all : NIL }
@@ -158,7 +160,7 @@ fn all_queries_have_their_defaults_in_the_first_derivation() {
 #[test]
 fn the_southernmost_shape_has_the_largest_z() {
     // Fact 64.
-    cga! {
+    rules! {
         grammar South = r#"
             Lot --> split(z) { ~1 : Row(split.index) }*
             Row(n) --> label("row") Compared(n)

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use cga::{Error, LimitKind, Limits, Model, Scene, Settings, Shape, Watch, cga};
 
-use crate::clean;
+use crate::{clean, rules};
 
 cga! {
     grammar Asking = r#"
@@ -121,7 +121,7 @@ fn wrong_distances_count_as_zero() {
 
 #[test]
 fn a_limit_in_the_first_derivation_ends_the_run() {
-    cga! {
+    rules! {
         grammar Wasteful = r#"
             Lot --> label("a") Asks
             Asks --> case contextCount(intra, "a") == 0 : split(x) { 0.001 : label("b") X. }* else : Y.
@@ -177,7 +177,7 @@ fn a_stop_in_the_first_derivation_ends_the_run_without_leaves() {
 #[test]
 fn rules_that_ask_for_their_own_labels_end() {
     // Each derivation asks the one before it, so a rule cannot wait for itself.
-    cga! {
+    rules! {
         grammar Circle = r#"
             Lot --> case contextCount(all, "a") == 0 : label("a") A else : A
             A --> print(contextCount(all, "a") + ";" + contextCount(intra, "a") + ";" + contextCount(inter, "a")) X.

@@ -1,6 +1,10 @@
 //! Laws of scenes: equal bytes on any number of threads, for any order of the lots, and for a scene cut into parts with a margin.
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::{Model, Scene, Settings, Shape, cga};
+
+use crate::rules;
 
 cga! {
     pub(crate) grammar District = r#"
@@ -87,7 +91,7 @@ fn parts_with_a_margin_of_the_distance_give_the_bytes_of_the_whole() {
     let (district, lots) = (District::default(), lots());
     let expected = bytes(&scene(&district, &lots, true));
     // The box of a lot in plan.
-    cga! { grammar Flat = "Lot --> X."; }
+    rules! { grammar Flat = "Lot --> X."; }
     let plan = |lot: &Shape| {
         let bounds = Flat::default().generate(lot).expect("a model").bounds();
         [[bounds.low.x, bounds.low.z], [bounds.high.x, bounds.high.z]]

@@ -1,9 +1,11 @@
 //! Selectors from text (*sel function*).
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::{FaultKind, Shape, cga};
 use cga_lang::ops;
 
-use crate::{clean, lines};
+use crate::{clean, lines, rules};
 
 #[test]
 fn an_attribute_may_have_a_computed_name() {
@@ -24,7 +26,7 @@ fn an_attribute_may_have_a_computed_name() {
 
 #[test]
 fn unknown_names_and_values_of_other_types_are_faults() {
-    cga! {
+    rules! {
         grammar Wrong = r#"
             attr height = 3
             name(n) = case n == 0 : "material.colour.r" case n == 1 : "split.index" case n == 2 : "height" case n == 3 : "scope.sx" else : "trim.vertical"

@@ -9,7 +9,7 @@ use cga::{
     Sink, Watch, cga,
 };
 
-use crate::{lot, model};
+use crate::{lot, model, rules};
 
 /// Settings that ask for the tree.
 fn with_tree() -> Settings {
@@ -104,7 +104,7 @@ fn the_documented_tree_has_the_documented_keys() {
 
 #[test]
 fn children_are_numbered_through_splits_and_blocks() {
-    cga! {
+    rules! {
         grammar Numbers = r##"
             Lot --> split(x) { 1 : Part | ~1 : color("#ff0000") | 0.5 : NIL | 0.1 : split(z) { ~1 : X. | ~1 : [ t(0, 1, 0) Part ] Y. } }
                 comp(e) { all : E. } [ Part ] Last.
@@ -184,7 +184,7 @@ fn operands_are_not_in_the_tree() {
 
 #[test]
 fn shapes_of_imports_are_in_the_tree() {
-    cga! { grammar Flows = r#"import imp : "rules/import/height.cga" Lot --> imp.Lot Own  Own --> X."#; }
+    rules! { grammar Flows = r#"import imp : "rules/import/height.cga" Lot --> imp.Lot Own  Own --> X."#; }
     let model = kept(&Flows::default(), &lot(), None);
     let names: Vec<_> = tree_of(&model).nodes().map(|node| node.rule()).collect();
     assert_eq!((names[0], names[names.len() - 2..].to_vec()), ("Lot", vec!["Own", "X"]));
@@ -447,7 +447,7 @@ cga! {
 
 #[test]
 fn trees_of_rules_with_queries_are_trees_of_the_last_derivation() {
-    cga! {
+    rules! {
         grammar Asking = r#"
             Lot --> extrude(10) split(x) { 5 : Block }*
             Block --> case overlaps(intra) : NIL else : label("block") comp(f) { side : Facade | top : Roof }

@@ -2,7 +2,7 @@
 
 use cga::{Grammar, cga};
 
-use crate::{leaves, lines, model, model_of, sum};
+use crate::{leaves, lines, model, model_of, rules, sum};
 
 cga! { grammar Styled in "rules/import/styles.cga"; }
 
@@ -71,7 +71,7 @@ fn an_import_may_ask_for_a_style() {
     cga! { grammar Plain = r#"import imp : "rules/import/styles.cga"  Lot --> imp.Lot"#; }
     cga! { grammar Large = r#"import imp(Large) : "rules/import/styles.cga"  Lot --> imp.Lot"#; }
     cga! { grammar Huge = r#"import imp(Huge, Large) : "rules/import/styles.cga"  Lot --> imp.Lot print(imp.grown(3))"#; }
-    cga! { grammar Both = r#"
+    rules! { grammar Both = r#"
         import one(Large) : "rules/import/styles.cga"
         import two : "rules/import/styles.cga" (size = 3)
         Lot --> one.Lot two.Lot"#; }
@@ -87,7 +87,7 @@ fn an_import_may_ask_for_a_style() {
 
 #[test]
 fn only_the_style_default_is_overridden_by_an_import() {
-    cga! { grammar Over = r#"
+    rules! { grammar Over = r#"
         import imp(Large) : "rules/import/styles.cga" (kind = "given")
         attr size = 5
         Lot --> imp.Lot"#; }
@@ -98,13 +98,13 @@ fn only_the_style_default_is_overridden_by_an_import() {
 
 #[test]
 fn the_same_seed_gives_the_same_numbers_in_every_style() {
-    cga! { grammar Drawn = "attr a = rand()  Lot --> print(a) print(rand()) X.  style S  Other --> Y."; }
+    rules! { grammar Drawn = "attr a = rand()  Lot --> print(a) print(rand()) X.  style S  Other --> Y."; }
     assert_eq!(lines(&model(&Drawn::default())), lines(&model_of(&Drawn::default(), "S$Lot")));
 }
 
 #[test]
 fn a_style_takes_the_place_of_one_overload() {
-    cga! {
+    rules! {
         grammar Overloaded = r#"
             attr b = 2
             f(x) = x * 1
@@ -122,7 +122,7 @@ fn a_style_takes_the_place_of_one_overload() {
 
 #[test]
 fn the_selectors_of_styles_keep_their_text() {
-    cga! {
+    rules! {
         grammar Selected = r#"
             Lot --> comp(f) { 0 + 0 : print(comp.sel) }
             style S
@@ -161,7 +161,7 @@ fn values_may_need_each_other_in_turn() {
 
 #[test]
 fn locals_of_other_styles_are_not_computed() {
-    cga! {
+    rules! {
         grammar Locals = r#"
             f(x) with ( y := rand(1) + x ) = y > 0
             Lot with ( p := rand(1) ) --> print(p) print(f(1)) print(rand(1)) Next("a")
@@ -172,7 +172,7 @@ fn locals_of_other_styles_are_not_computed() {
             Next(t) with ( r := t + "!"  q := print(r) ) --> split(x) { ~1 : print(q + "?") }
         "#;
     }
-    cga! { grammar First = "Lot --> print(rand(1))"; }
+    rules! { grammar First = "Lot --> print(rand(1))"; }
     let rules = Locals::default();
     let plain = lines(&model_of(&rules, "Lot"));
     assert_eq!((plain.len(), &plain[3..]), (5, &["1".to_owned(), "1".to_owned()][..]));
@@ -183,7 +183,7 @@ fn locals_of_other_styles_are_not_computed() {
 
 #[test]
 fn constants_of_styles_are_not_folded_into_rules_of_others() {
-    cga! {
+    rules! {
         grammar Constants = r#"
             const a = 1
             const b = a * 2

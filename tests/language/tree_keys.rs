@@ -1,8 +1,10 @@
 //! Keys in the tree of shapes (*getTreeKey function*), and old numbers of shapes.
 
+#[cfg(not(feature = "compiled"))]
+use cga::Grammar as _;
 use cga::{Settings, Shape, cga};
 
-use crate::{lines, model};
+use crate::{lines, model, rules};
 
 #[test]
 fn a_key_stays_during_its_rule() {
@@ -18,7 +20,7 @@ fn a_key_stays_during_its_rule() {
 
 #[test]
 fn keys_are_those_of_the_listing() {
-    cga! {
+    rules! {
         grammar Listed = r#"
             Init --> print("Init " + getTreeKey) extrude(10) comp(f) { front : Facade }
             Facade --> print("Facade " + getTreeKey) split(y) { '0.5 : Floor }*
@@ -38,7 +40,7 @@ fn keys_are_those_of_the_listing() {
 
 #[test]
 fn keys_are_those_of_the_tree_of_shapes() {
-    cga! {
+    rules! {
         grammar Same = r#"
             attr key = getTreeKey
             Lot --> print(key) A B. [ A ] NIL label("a") inline(append) { A } split(x) { 1 : A | 1 : t(0, 1, 0) A C. | ~1 : Deep(700) } A
@@ -58,7 +60,7 @@ fn keys_are_those_of_the_tree_of_shapes() {
 
 #[test]
 fn old_numbers_differ_where_keys_differ() {
-    cga! {
+    rules! {
         grammar Numbered = r#"Lot --> split(x) { 1 : A }*  A --> print(uid) B  B --> print(uid) print(uid) X."#;
     }
     let lines = lines(&model_of_width(&Numbered::default(), 3.0));

@@ -81,7 +81,7 @@ fn with_notch() -> Shape {
 
 /// The lot of the first pictures of the perimeter.
 fn bay() -> Shape {
-    lot(&[[0.6, 13.4], [14.0, 0.0], [34.0, 0.0], [44.0, 14.0], [59.4, 14.0], [59.4, 31.6], [0.6, 31.6]])
+    lot(&[[0.6, 13.0], [14.0, 0.0], [34.0, 0.0], [44.0, 14.0], [59.4, 14.0], [59.4, 31.6], [0.6, 31.6]])
 }
 
 /// Eight edges; numbers 7, 0 and 1 look to the front.

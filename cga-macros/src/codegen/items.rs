@@ -37,12 +37,19 @@ pub(super) fn values(cx: &Generator<'_>) -> TokenStream {
     }
 }
 
-/// One variant for each rule that a call may have to wait for, or that a template leaves out.
+/// One variant for each rule that a call may have to wait for, or that a template leaves out. Grammars without such a rule share a
+/// type of the runtime, and so the functions of the runtime that are generic over it.
 pub(super) fn calls(cx: &Generator<'_>) -> TokenStream {
     let variants = waiting(cx).map(|(id, params)| {
         let name = local("Rule", id.0 as usize);
         code!(#name(#(#params),*))
     });
+    let variants: Vec<TokenStream> = variants.collect();
+    if variants.is_empty() {
+        return code!(
+            type CgaCall = cga_rt::NoCall;
+        );
+    }
     code! {
         #[derive(::core::clone::Clone)]
         pub enum CgaCall { #(#variants,)* }
@@ -265,7 +272,7 @@ pub(super) fn rules_impl(cx: &Generator<'_>, header: &Header) -> TokenStream {
                 &'g self,
                 settings: &cga_rt::Settings,
             ) -> ::core::result::Result<cga_rt::Box<dyn cga_rt::DynSession + 'g>, cga_rt::Error> {
-                ::core::result::Result::Ok(cga_rt::Box::new(cga_rt::Session::new(self, settings)?))
+                cga_rt::open(self, settings)
             }
         }
     }

@@ -67,7 +67,9 @@ fn wanted(show: &str, item: &Item) -> bool {
         }
         "methods" => is_trait.is_none() && !owner.is_empty() && owner != "CgaRules" && owner != "CgaValues",
         "lazy" => owner == "CgaValues" || is_trait.as_deref() == Some("Rules"),
-        "values" => matches!(item, Item::Struct(it) if it.ident == "CgaValues") || matches!(item, Item::Enum(_)),
+        "values" => {
+            matches!(item, Item::Struct(it) if it.ident == "CgaValues") || matches!(item, Item::Enum(_) | Item::Type(_))
+        }
         "rules" => owner == "CgaRules",
         "run" => is_trait.as_deref() == Some("Rules"),
         "table" => is_trait.as_deref() == Some("Grammar"),

@@ -45,15 +45,15 @@ impl<T: Clone + Default> Lazy<T> {
     /// value itself, the run ends with an error that names the cycle. If the stack has no room, the run ends with the
     /// error of a limit.
     #[inline]
-    pub fn get(&self, env: &mut Env, name: Text, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+    pub fn get(&self, env: &mut Env, name: Text, stack: u32, mut compute: impl FnMut(&mut Env) -> T) -> T {
         match self.value.get() {
             Some(value) => value.clone(),
-            None => self.first(env, name, stack, compute),
+            None => self.first(env, name, stack, &mut compute),
         }
     }
 
     #[cold]
-    fn first(&self, env: &mut Env, name: Text, stack: u32, compute: impl FnOnce(&mut Env) -> T) -> T {
+    fn first(&self, env: &mut Env, name: Text, stack: u32, compute: &mut dyn FnMut(&mut Env) -> T) -> T {
         if self.is_open.get() {
             env.close_cycle(&name);
             return T::default();

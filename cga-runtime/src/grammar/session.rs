@@ -10,6 +10,7 @@
 
 use std::borrow::Cow;
 use std::fmt;
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 use crate::fault::{Error, Fault};
@@ -18,7 +19,7 @@ use crate::grammar::kept_lots::KeptLots;
 use crate::grammar::{Grammar, lots};
 use crate::output::buffers::size::{BufferSize, Measuring};
 use crate::output::model::Model;
-use crate::run::derive::{self, Derivation, Kept, NoResult, RunOutcome, Start};
+use crate::run::derive::{self, Derivable, Derivation, Kept, NoResult, RunOutcome, Start};
 use crate::run::ghost::leaf_sink::LeafGhost;
 use crate::run::ghost::{Collect, Ghost};
 use crate::run::queries::Queries;
@@ -34,28 +35,56 @@ use crate::value::text::Text;
 
 /// Several runs of one grammar with the same settings. Made by `grammar.session(&settings)`.
 pub struct Session<'g, G: Rules> {
-    grammar: &'g G,
-    /// Borrowed by sessions that end before their caller does.
-    settings: Cow<'g, Settings>,
-    start: Start,
-    kept: Kept<G::Call>,
-    lots: KeptLots,
-    /// The grammars of `lots`.
-    of_lots: Vec<LotGrammar<G>>,
+    runs: GrammarSession<'g>,
+    grammar: PhantomData<&'g G>,
 }
 
 impl<G: Rules> fmt::Debug for Session<'_, G> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Session").field("settings", &self.settings).finish_non_exhaustive()
+        f.debug_struct("Session").field("settings", &self.runs.settings).finish_non_exhaustive()
     }
 }
 
+/// A grammar of any type whose sessions set the values of lots.
+trait AnyGrammar: Derivable {
+    fn copy<'c>(&self) -> Box<dyn AnyGrammar + 'c>
+    where
+        Self: 'c;
+
+    fn as_grammar(&mut self) -> &mut dyn Grammar;
+}
+
+impl<G: Rules + Grammar + Clone> AnyGrammar for G {
+    fn copy<'c>(&self) -> Box<dyn AnyGrammar + 'c>
+    where
+        Self: 'c,
+    {
+        Box::new(self.clone())
+    }
+
+    fn as_grammar(&mut self) -> &mut dyn Grammar {
+        self
+    }
+}
+
+/// A session that does not have the type of its grammar, so it is compiled once.
+struct GrammarSession<'g> {
+    grammar: &'g (dyn AnyGrammar + 'g),
+    /// Borrowed by sessions that end before their caller does.
+    settings: Cow<'g, Settings>,
+    start: Start,
+    kept: Kept,
+    lots: KeptLots,
+    /// The grammars of `lots`.
+    of_lots: Vec<LotGrammar<'g>>,
+}
+
 /// A grammar with the values of a lot. Lots with equal data share it, and all that its runs keep.
-struct LotGrammar<G: Rules> {
-    grammar: G,
+struct LotGrammar<'g> {
+    grammar: Box<dyn AnyGrammar + 'g>,
     start: Start,
     problems: Vec<String>,
-    kept: Kept<G::Call>,
+    kept: Kept,
 }
 
 /// The grammar of a run that can begin.
@@ -73,17 +102,13 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// [`Error::Attribute`] and [`Error::StartRule`], as they do not depend on the initial shape.
     pub fn new(grammar: &'g G, settings: &Settings) -> Result<Self, Error> {
-        let start = start_of(grammar.check(), grammar.tables(), settings)?;
-        Ok(Session::of(grammar, Cow::Owned(settings.clone()), start))
-    }
-
-    fn of(grammar: &'g G, settings: Cow<'g, Settings>, start: Start) -> Self {
-        Session { grammar, settings, start, kept: Kept::default(), lots: KeptLots::default(), of_lots: Vec::new() }
+        let runs = GrammarSession::new(grammar, Cow::Owned(settings.clone()))?;
+        Ok(Session { runs, grammar: PhantomData })
     }
 
     /// The settings of all runs.
     pub fn settings(&self) -> &Settings {
-        &self.settings
+        &self.runs.settings
     }
 
     /// Runs on a shape and hands the leaves to a sink. The sink is not [finished](Sink::finish): more runs may follow.
@@ -91,7 +116,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// [`Error::Shape`], [`Error::Lot`], [`Error::Limit`], [`Error::Cycle`]. The session can be used again after an error.
     pub fn run<S: Sink + ?Sized>(&mut self, shape: &Shape, sink: &mut S) -> Result<Report, Error> {
-        self.outcome(shape, None, &mut { sink }).result(self.settings.echo)
+        self.runs.run(shape, &mut { sink })
     }
 
     /// Runs on a shape and collects a model.
@@ -99,9 +124,7 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// As [`run`](Session::run).
     pub fn generate(&mut self, shape: &Shape) -> Result<Model, Error> {
-        let mut model = Model::new();
-        let report = DynSession::run(self, shape, &mut model)?;
-        Ok(model.with_report(report).with_assets(self.settings.assets.clone()))
+        self.runs.generate(shape)
     }
 
     /// The size of the buffers that a run on a shape fills, for memory that is allocated once. It takes a run without output, which is a small
@@ -123,42 +146,30 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
     /// # Errors
     /// As [`run`](Session::run).
     pub fn measure(&mut self, shape: &Shape) -> Result<BufferSize, Error> {
-        DynSession::measure(self, shape)
+        self.runs.measure(shape)
+    }
+}
+
+impl<'g> GrammarSession<'g> {
+    fn new(grammar: &'g (dyn AnyGrammar + 'g), settings: Cow<'g, Settings>) -> Result<Self, Error> {
+        grammar.check_values()?;
+        let start = Start::find(grammar.rule_tables(), settings.start.as_deref())?;
+        let (kept, lots) = (Kept::default(), KeptLots::default());
+        Ok(GrammarSession { grammar, settings, start, kept, lots, of_lots: Vec::new() })
     }
 
-    /// Runs on a shape among shapes of other initial shapes, without echo.
-    fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
-        let Prepared { lot, faults } = match self.prepared(shape) {
-            Ok(prepared) => prepared,
-            Err(reason) => return reason.into(),
-        };
-        let (grammar, start, kept) = match lot {
-            None => (self.grammar, self.start, &mut self.kept),
-            Some(at) => {
-                let LotGrammar { grammar, start, kept, .. } = &mut self.of_lots[at];
-                (&*grammar, *start, kept)
-            }
-        };
-        let derivation =
-            Derivation { rules: grammar, tables: grammar.tables(), start, shape, settings: &self.settings };
-        let mut outcome = derive::run(grammar, &derivation, neighbours, kept, sink);
-        outcome.report.begin_with(faults);
-        outcome
+    fn generate(&mut self, shape: &Shape) -> Result<Model, Error> {
+        let mut model = Model::new();
+        let report = self.run(shape, &mut model)?;
+        Ok(model.with_report(report).with_assets(self.settings.assets.clone()))
     }
 
     /// The grammar and the start rule of a run.
-    fn chosen(&self, lot: Option<usize>) -> (&G, Start) {
+    fn chosen(&self, lot: Option<usize>) -> (&dyn AnyGrammar, Start) {
         match lot {
             None => (self.grammar, self.start),
-            Some(at) => (&self.of_lots[at].grammar, self.of_lots[at].start),
+            Some(at) => (&*self.of_lots[at].grammar, self.of_lots[at].start),
         }
-    }
-
-    /// The shapes that a run on a shape leaves for the queries of its neighbours.
-    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
-        let Prepared { lot, .. } = self.prepared(shape)?;
-        let (grammar, start) = self.chosen(lot);
-        Derivation { rules: grammar, tables: grammar.tables(), start, shape, settings: &self.settings }.ghost(collect)
     }
 
     /// Prepares a run on a shape, unless the watch is stopped.
@@ -183,9 +194,9 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
 
     /// Makes the grammar of a lot. Returns its index.
     fn add(&mut self, lot: &Lot) -> usize {
-        let mut grammar = self.grammar.clone();
-        let mut problems = lots::set_values(&mut grammar, lot);
-        let start = start_of_lot(self.grammar.tables(), lot, self.start, &mut problems);
+        let mut grammar = self.grammar.copy();
+        let mut problems = lots::set_values(grammar.as_grammar(), lot);
+        let start = start_of_lot(self.grammar.rule_tables(), lot, self.start, &mut problems);
         let made = LotGrammar { grammar, start, problems, kept: Kept::default() };
         let at = self.lots.add(lot);
         match self.of_lots.get_mut(at) {
@@ -194,11 +205,6 @@ impl<'g, G: Rules + Grammar + Clone> Session<'g, G> {
         }
         at
     }
-}
-
-/// The start rule of a grammar whose attributes were checked.
-fn start_of(checked: Result<(), Error>, tables: &RuleTables, settings: &Settings) -> Result<Start, Error> {
-    checked.and_then(|()| Start::find(tables, settings.start.as_deref()))
 }
 
 /// The start rule of a lot. The start rule of the session replaces one that does not exist, which is a problem.
@@ -257,22 +263,56 @@ pub trait DynSession {
     }
 }
 
-impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
+impl DynSession for GrammarSession<'_> {
     fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
-        Session::run(self, shape, sink)
+        self.outcome(shape, None, sink).result(self.settings.echo)
     }
 
     fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
-        Session::outcome(self, shape, neighbours, sink)
+        let Prepared { lot, faults } = match self.prepared(shape) {
+            Ok(prepared) => prepared,
+            Err(reason) => return reason.into(),
+        };
+        let (rules, start, kept): (&dyn AnyGrammar, _, _) = match lot {
+            None => (self.grammar, self.start, &mut self.kept),
+            Some(at) => {
+                let LotGrammar { grammar, start, kept, .. } = &mut self.of_lots[at];
+                (&**grammar, *start, kept)
+            }
+        };
+        let derivation = Derivation { rules, tables: rules.rule_tables(), start, shape, settings: &self.settings };
+        let mut outcome = derivation.run(neighbours, kept, sink);
+        outcome.report.begin_with(faults);
+        outcome
     }
 
     fn queries(&mut self, shape: &Shape) -> Queries {
-        let own = shape.start_name().and_then(|rule| Start::find(self.grammar.tables(), Some(rule)).ok());
+        let own = shape.start_name().and_then(|rule| Start::find(self.grammar.rule_tables(), Some(rule)).ok());
         own.unwrap_or(self.start).queries
     }
 
     fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
-        Session::ghost(self, shape, collect)
+        let Prepared { lot, .. } = self.prepared(shape)?;
+        let (rules, start) = self.chosen(lot);
+        Derivation { rules, tables: rules.rule_tables(), start, shape, settings: &self.settings }.ghost(collect)
+    }
+}
+
+impl<G: Rules + Grammar + Clone> DynSession for Session<'_, G> {
+    fn run(&mut self, shape: &Shape, sink: &mut dyn Sink) -> Result<Report, Error> {
+        self.runs.run(shape, sink)
+    }
+
+    fn outcome(&mut self, shape: &Shape, neighbours: Option<&Arc<Neighbours>>, sink: &mut dyn Sink) -> RunOutcome {
+        self.runs.outcome(shape, neighbours, sink)
+    }
+
+    fn queries(&mut self, shape: &Shape) -> Queries {
+        self.runs.queries(shape)
+    }
+
+    fn ghost(&mut self, shape: &Shape, collect: Collect) -> Result<Ghost, NoResult> {
+        self.runs.ghost(shape, collect)
     }
 }
 
@@ -301,6 +341,21 @@ impl<G: Grammar + ?Sized> DynSession for SingleRuns<'_, G> {
     }
 }
 
+/// Opens a session of a grammar that is chosen at run time. Used by generated code.
+///
+/// # Errors
+/// As [`Session::new`].
+pub fn open<'g, G: Rules + Grammar + Clone>(
+    grammar: &'g G,
+    settings: &Settings,
+) -> Result<Box<dyn DynSession + 'g>, Error> {
+    opened(grammar, settings)
+}
+
+fn opened<'g>(grammar: &'g (dyn AnyGrammar + 'g), settings: &Settings) -> Result<Box<dyn DynSession + 'g>, Error> {
+    Ok(Box::new(GrammarSession::new(grammar, Cow::Owned(settings.clone()))?))
+}
+
 /// Runs a grammar on a shape, in a session of one run. Used by generated code.
 ///
 /// # Errors
@@ -311,8 +366,16 @@ pub fn run<G: Rules + Grammar + Clone, S: Sink + ?Sized>(
     settings: &Settings,
     sink: &mut S,
 ) -> Result<Report, Error> {
-    let start = start_of(grammar.check(), grammar.tables(), settings)?;
-    Session::of(grammar, Cow::Borrowed(settings), start).run(shape, sink)
+    single_run(grammar, shape, settings, &mut { sink })
+}
+
+fn single_run(
+    grammar: &dyn AnyGrammar,
+    shape: &Shape,
+    settings: &Settings,
+    sink: &mut dyn Sink,
+) -> Result<Report, Error> {
+    GrammarSession::new(grammar, Cow::Borrowed(settings))?.run(shape, sink)
 }
 
 /// Runs a grammar and collects a model. Used by generated code.
@@ -320,9 +383,11 @@ pub fn run<G: Rules + Grammar + Clone, S: Sink + ?Sized>(
 /// # Errors
 /// See [`Error`].
 pub fn generate<G: Rules + Grammar + Clone>(grammar: &G, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
-    let mut model = Model::new();
-    let report = run(grammar, shape, settings, &mut model as &mut dyn Sink)?;
-    Ok(model.with_report(report).with_assets(settings.assets.clone()))
+    single_model(grammar, shape, settings)
+}
+
+fn single_model(grammar: &dyn AnyGrammar, shape: &Shape, settings: &Settings) -> Result<Model, Error> {
+    GrammarSession::new(grammar, Cow::Borrowed(settings))?.generate(shape)
 }
 
 /// Runs a rule of a grammar by its name, also if the lot names another one, and collects a model. Used by generated code.
@@ -331,7 +396,7 @@ pub fn generate<G: Rules + Grammar + Clone>(grammar: &G, shape: &Shape, settings
 /// See [`Error`].
 pub fn generate_from<G: Rules + Grammar + Clone>(grammar: &G, rule: &str, shape: &Shape) -> Result<Model, Error> {
     let settings = Settings { start: Some(rule.to_owned()), ..Settings::default() };
-    generate(grammar, &shape.with_start(None), &settings)
+    single_model(grammar, &shape.with_start(None), &settings)
 }
 
 /// The names and values of the attributes of a run on a shape, without running rules. Used by generated code.
@@ -343,12 +408,14 @@ pub fn used_values<G: Rules + Grammar + Clone>(
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<(Text, Value)>, Error> {
-    let start = start_of(grammar.check(), grammar.tables(), settings)?;
-    let mut session = Session::of(grammar, Cow::Borrowed(settings), start);
+    Ok(named(grammar.attributes(), used_values_of(grammar, shape, settings)?))
+}
+
+fn used_values_of(grammar: &dyn AnyGrammar, shape: &Shape, settings: &Settings) -> Result<Vec<Option<Value>>, Error> {
+    let mut session = GrammarSession::new(grammar, Cow::Borrowed(settings))?;
     let Prepared { lot, .. } = session.checked(shape)?;
     let (chosen, start) = session.chosen(lot);
-    let values = derive::used_values(chosen, start, shape, settings)?;
-    Ok(named(grammar.attributes(), values))
+    derive::used_values(chosen, start, shape, settings)
 }
 
 /// The values of attributes with their names.

@@ -1,5 +1,6 @@
 //! Runs: rules call each other directly, and leaves go to the sink as they appear.
 
+use std::any::Any;
 use std::cell::OnceCell;
 use std::io::Write as _;
 use std::sync::Arc;
@@ -17,8 +18,8 @@ use crate::run::sink::{Flow, Sink};
 use crate::run::start_rule::StartRule;
 use crate::run::surroundings::{Neighbours, Surroundings};
 use crate::run::template::Templates;
-use crate::shape::Shape;
 use crate::shape::look_id::LookIds;
+use crate::shape::{Shape, ShapeRef};
 use crate::value::Value;
 use crate::value::text::Text;
 
@@ -34,12 +35,17 @@ pub(crate) struct Start {
 }
 
 /// The state of a run that the next run of the session can reuse. No result depends on it.
-pub(crate) struct Kept<C> {
-    templates: Templates<C>,
+#[derive(Default)]
+pub(crate) struct Kept {
+    templates: KeptTemplates,
     looks: KeptLooks,
 }
 
-/// The part of [`Kept`] that is the same for all grammars.
+/// The templates of a grammar whose type of calls is not known here.
+#[derive(Default)]
+pub(crate) struct KeptTemplates(Option<Box<dyn Any>>);
+
+/// The part of [`Kept`] about looks.
 #[derive(Default)]
 struct KeptLooks {
     looks: LookIds,
@@ -47,9 +53,14 @@ struct KeptLooks {
     runs: u64,
 }
 
-impl<C> Default for Kept<C> {
-    fn default() -> Self {
-        Kept { templates: Templates::default(), looks: KeptLooks::default() }
+impl KeptTemplates {
+    /// The templates of the last run, if it had the same type of calls.
+    fn take<C: 'static>(&mut self) -> Box<Templates<C>> {
+        self.0.take().and_then(|kept| kept.downcast().ok()).unwrap_or_default()
+    }
+
+    fn keep<C: 'static>(&mut self, templates: Box<Templates<C>>) {
+        self.0 = Some(templates);
     }
 }
 
@@ -135,18 +146,65 @@ pub(crate) struct Derivation<'a> {
     pub(crate) settings: &'a Settings,
 }
 
-/// Rules of any type.
+/// Rules of any type. The functions of a session know no other, so they are compiled once and not for each grammar.
 pub(crate) trait Derivable {
-    /// Derives a run into a sink, with templates of its own.
-    fn derive_again(&self, env: &mut Env, start: Start, shape: &Shape, sink: &mut dyn Sink) -> Flow;
+    /// [`Rules::tables`].
+    fn rule_tables(&self) -> &RuleTables;
+
+    /// [`Rules::check`].
+    ///
+    /// # Errors
+    /// [`Error::Attribute`].
+    fn check_values(&self) -> Result<(), Error>;
+
+    /// Derives a run into a sink, with templates that are kept. Hands its end and the values of its attributes to `end`.
+    fn derive(
+        &self,
+        run: (Start, &Shape),
+        env: &mut Env,
+        kept: &mut KeptTemplates,
+        sink: &mut dyn Sink,
+        end: &mut dyn FnMut(&mut Env, &mut dyn Sink, Flow, UsedValues<'_>),
+    );
+
+    /// Hands out the values of the attributes for a shape, unless their evaluation ends with an error.
+    fn evaluate(&self, run: (Start, &Shape), env: &mut Env, each: &mut dyn FnMut(Option<Value>));
 }
 
 impl<R: Rules> Derivable for R {
-    fn derive_again(&self, env: &mut Env, start: Start, shape: &Shape, sink: &mut dyn Sink) -> Flow {
-        let mut templates = Templates::default();
-        let mut cx = Cx::new(env, sink, &mut templates);
-        let values = self.values(cx.env, shape, start.style);
-        derive::<R>(&mut cx, &values, start.rule, shape)
+    fn rule_tables(&self) -> &RuleTables {
+        self.tables()
+    }
+
+    fn check_values(&self) -> Result<(), Error> {
+        self.check()
+    }
+
+    fn derive(
+        &self,
+        (Start { rule, style, .. }, shape): (Start, &Shape),
+        env: &mut Env,
+        kept: &mut KeptTemplates,
+        sink: &mut dyn Sink,
+        end: &mut dyn FnMut(&mut Env, &mut dyn Sink, Flow, UsedValues<'_>),
+    ) {
+        let values = self.values(env, shape, style);
+        let start = &mut |cx: &mut Cx<'_, R::Call>, shape: &ShapeRef<'_>| R::start(&values, cx, rule, shape);
+        let resume = &mut |cx: &mut Cx<'_, R::Call>, shape: &ShapeRef<'_>, call| R::resume(&values, cx, shape, call);
+        let flow = derive(env, shape, kept, sink, start, resume);
+        end(env, sink, flow, &|each| R::used(&values, style, each));
+    }
+
+    fn evaluate(
+        &self,
+        (Start { style, .. }, shape): (Start, &Shape),
+        env: &mut Env,
+        each: &mut dyn FnMut(Option<Value>),
+    ) {
+        let values = self.values(env, shape, style);
+        if env.error.is_none() {
+            R::used(&values, style, each);
+        }
     }
 }
 
@@ -159,34 +217,34 @@ struct Begun {
 }
 
 /// Hands out the values of the attributes of a run; see [`Rules::used`].
-type UsedValues<'a> = &'a dyn Fn(&mut dyn FnMut(Option<Value>));
-
-/// Runs a grammar on a shape, among shapes of other initial shapes.
-pub(crate) fn run<R: Rules>(
-    rules: &R,
-    run: &Derivation<'_>,
-    neighbours: Option<&Arc<Neighbours>>,
-    kept: &mut Kept<R::Call>,
-    sink: &mut dyn Sink,
-) -> RunOutcome {
-    let Start { rule, style, .. } = run.start;
-    let Begun { mut env, around, drops_templates } = match run.begin(neighbours, &mut kept.looks, sink) {
-        Ok(begun) => begun,
-        Err(reason) => return reason.into(),
-    };
-    // They are taken, as the looks are: templates contain numbers of looks. If a sink panics, neither stays in the session.
-    let mut templates = std::mem::take(&mut kept.templates);
-    if drops_templates {
-        templates = Templates::default();
-    }
-    let mut cx = Cx::new(&mut env, &mut *sink, &mut templates);
-    let values = rules.values(cx.env, run.shape, style);
-    let flow = derive::<R>(&mut cx, &values, rule, run.shape);
-    kept.templates = templates;
-    run.end(&mut env, around, flow, &mut kept.looks, sink, &|each| R::used(&values, style, each))
-}
+pub(crate) type UsedValues<'a> = &'a dyn Fn(&mut dyn FnMut(Option<Value>));
 
 impl Derivation<'_> {
+    /// Runs the rules on the shape, among shapes of other initial shapes.
+    pub(crate) fn run(&self, neighbours: Option<&Arc<Neighbours>>, kept: &mut Kept, sink: &mut dyn Sink) -> RunOutcome {
+        let Begun { mut env, around, drops_templates } = match self.begin(neighbours, &mut kept.looks, sink) {
+            Ok(begun) => begun,
+            Err(reason) => return reason.into(),
+        };
+        if drops_templates {
+            kept.templates = KeptTemplates::default();
+        }
+        let Kept { templates, looks } = kept;
+        let mut outcome = RunOutcome::default();
+        self.rules.derive((self.start, self.shape), &mut env, templates, sink, &mut |env, sink, flow, used| {
+            outcome = self.end(env, around.clone(), flow, looks, sink, used);
+        });
+        outcome
+    }
+
+    /// Derives the run once more into a sink, with templates of its own.
+    pub(crate) fn derive_again(&self, env: &mut Env, sink: &mut dyn Sink) -> Flow {
+        let mut outcome = Flow::Continue(());
+        let run = (self.start, self.shape);
+        self.rules.derive(run, env, &mut KeptTemplates::default(), sink, &mut |_, _, flow, _| outcome = flow);
+        outcome
+    }
+
     /// Begins a run.
     ///
     /// # Errors
@@ -247,17 +305,38 @@ impl Derivation<'_> {
 }
 
 /// Calls the start rule, and then the calls that wait. A break without an error comes from the sink or the watch.
-pub(super) fn derive<R: Rules>(cx: &mut Cx<'_, R::Call>, values: &R::Values, rule: u32, shape: &Shape) -> Flow {
+fn derive<C: 'static>(
+    env: &mut Env,
+    shape: &Shape,
+    kept: &mut KeptTemplates,
+    sink: &mut dyn Sink,
+    start: &mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow,
+    resume: &mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow,
+) -> Flow {
+    // They are taken, as the looks are: templates contain numbers of looks. If a sink panics, neither stays in the session.
+    let mut templates = kept.take();
+    let mut cx = Cx::new(env, sink, &mut templates);
+    let flow = derive_all(&mut cx, shape, start, resume);
+    kept.keep(templates);
+    flow
+}
+
+fn derive_all<C>(
+    cx: &mut Cx<'_, C>,
+    shape: &Shape,
+    start: &mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow,
+    resume: &mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>, C) -> Flow,
+) -> Flow {
     if cx.env.ended() {
         return Flow::Break(());
     }
     let base = cx.env.base(shape.without_trim_planes());
-    R::start(values, cx, rule, &base.shape())?;
+    start(cx, &base.shape())?;
     while let Some(next) = cx.waiting.pop_front() {
         (cx.depth, cx.stack) = (next.depth, 0);
         cx.env.resume_trail(next.trail);
         let base = cx.env.base(next.shape);
-        R::resume(values, cx, &base.shape(), next.call)?;
+        resume(cx, &base.shape(), next.call)?;
     }
     Flow::Continue(())
 }
@@ -283,20 +362,16 @@ fn outcome(env: &mut Env, flow: Flow) -> RunOutcome {
 }
 
 /// The values of the attributes of a run on a shape that was checked, without running rules.
-pub(crate) fn used_values<R: Rules>(
-    rules: &R,
-    start @ Start { style, .. }: Start,
+pub(crate) fn used_values(
+    rules: &dyn Derivable,
+    start: Start,
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<Option<Value>>, Error> {
-    let mut env = start.env(rules.tables(), shape, settings);
-    let values = rules.values(&mut env, shape, style);
-    if let Some(error) = env.error.take() {
-        return Err(error);
-    }
+    let mut env = start.env(rules.rule_tables(), shape, settings);
     let mut list = Vec::new();
-    R::used(&values, style, &mut |value| list.push(value));
-    Ok(list)
+    rules.evaluate((start, shape), &mut env, &mut |value| list.push(value));
+    env.error.take().map_or(Ok(list), Err)
 }
 
 /// Writes lines to standard output. A closed output does not end the run.

@@ -101,6 +101,6 @@ impl Derivation<'_> {
     /// Derives the run without output. Its shapes are not progress.
     fn derive_silently(&self, env: &mut Env) -> Flow {
         env.tell_no_progress();
-        self.rules.derive_again(env, self.start, self.shape, &mut NoOutput)
+        self.derive_again(env, &mut NoOutput)
     }
 }

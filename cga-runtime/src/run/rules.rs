@@ -72,7 +72,7 @@ pub trait Rules: Checked {
     type Values;
     /// The calls that may wait in the list: rules in cycles with their arguments.
     #[doc(hidden)]
-    type Call: Clone;
+    type Call: Clone + 'static;
     /// The data that all runs share.
     #[doc(hidden)]
     fn tables(&self) -> &RuleTables;

@@ -103,8 +103,6 @@ impl cga_rt::Grammar for Tower {
         cga_rt::Box<dyn cga_rt::DynSession + 'g>,
         cga_rt::Error,
     > {
-        ::core::result::Result::Ok(
-            cga_rt::Box::new(cga_rt::Session::new(self, settings)?),
-        )
+        cga_rt::open(self, settings)
     }
 }
