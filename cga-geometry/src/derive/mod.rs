@@ -262,7 +262,7 @@ impl<'s> Derivation<'s> {
         self.made.points = Vec::with_capacity(places.len() + points);
         self.made.points.extend_from_slice(places);
         self.made.corners = Vec::with_capacity(corners);
-        self.made.loop_ends = Vec::with_capacity(corners / 3);
+        self.made.loop_ends = LoopEnds::with_capacity(corners / 3);
         if self.has_origins {
             self.origins = (0..places.len() as u32).map(PointOrigin::Old).collect();
         }
