@@ -3,10 +3,10 @@
 //! A floor with five windows is below a floor with four: the corners of the one are inside the edges of the other. Graphics cards round
 //! the corners of triangles to parts of a pixel, so single pixels between the two floors show what is behind them.
 
-mod distinct;
 mod held;
 mod known_edges;
 mod network;
+mod numbered_keys;
 mod search;
 mod straight;
 mod subdivided;

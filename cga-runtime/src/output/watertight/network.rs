@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 
-use super::distinct::Distinct;
+use super::numbered_keys::NumberedKeys;
 use super::search::Search;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::{Bounds, Mesh};
@@ -20,11 +20,11 @@ const FAR: f64 = 0.004;
 pub(super) struct Network {
     origin: DVec3,
     /// The places as sinks write them: in 32 bits, by their bits.
-    places: Distinct<[u32; 3]>,
+    places: NumberedKeys<[u32; 3]>,
     /// The first point at each place.
     points: Vec<DVec3>,
     /// The ends of each edge, the lower number first.
-    edges: Distinct<[u32; 2]>,
+    edges: NumberedKeys<[u32; 2]>,
     /// The numbers of the points of all leaves.
     leaf_points: Vec<u32>,
     /// For each corner of all leaves the number of the edge that begins there, or [`NO_EDGE`].
@@ -89,9 +89,9 @@ impl Network {
     pub(super) fn new(bounds: Bounds, corners: usize) -> Self {
         Network {
             origin: near_origin(bounds),
-            places: Distinct::default(),
+            places: NumberedKeys::default(),
             points: Vec::new(),
-            edges: Distinct::default(),
+            edges: NumberedKeys::default(),
             leaf_points: Vec::new(),
             leaf_edges: Vec::with_capacity(corners),
             ranges: Vec::new(),

@@ -7,7 +7,7 @@ use std::ops::Range;
 
 use glam::{DVec3, Vec3Swizzles};
 
-use super::distinct::Distinct;
+use super::numbered_keys::NumberedKeys;
 use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::each::Each;
 use crate::geometry::long_sort::long_sort_by;
@@ -108,7 +108,7 @@ struct Table {
     near: Vec<u32>,
     /// For each of these points, by its number, its place across the direction and along it.
     seen: Vec<[f64; 3]>,
-    places: Distinct<[i64; 2]>,
+    places: NumberedKeys<[i64; 2]>,
     lines: Vec<Line>,
     /// For each of these points, by its number, its cell or [`NO_CELL`].
     cells: Vec<u32>,
@@ -148,7 +148,7 @@ impl Search<'_> {
 
     /// The directions of many edges, each with the numbers of its edges, and the other edges.
     fn directions(&self) -> Option<(Vec<Direction>, Vec<u32>)> {
-        let mut keys: Distinct<[i64; 3]> = Distinct::default();
+        let mut keys: NumberedKeys<[i64; 3]> = NumberedKeys::default();
         // For each direction its longest edge.
         let mut found: Vec<(f64, DVec3, Vec<u32>)> = Vec::new();
         for number in 0..self.edges.len() as u32 {

@@ -4,9 +4,9 @@ use std::hash::{Hash, Hasher};
 
 use crate::fixed_hash::FixedHasher;
 
-/// Distinct keys, each with a number. Its table has numbers alone, so it is much smaller than a map.
+/// NumberedKeys keys, each with a number. Its table has numbers alone, so it is much smaller than a map.
 #[derive(Clone, Debug)]
-pub(super) struct Distinct<K> {
+pub(super) struct NumberedKeys<K> {
     keys: Vec<K>,
     /// The numbers of keys at their hashes, or at the next free slot. The length is a power of two, or 0.
     slots: Vec<u32>,
@@ -18,13 +18,13 @@ const FREE: u32 = u32::MAX;
 /// The least number of slots.
 const LEAST_SLOTS: usize = 16;
 
-impl<K> Default for Distinct<K> {
+impl<K> Default for NumberedKeys<K> {
     fn default() -> Self {
-        Distinct { keys: Vec::new(), slots: Vec::new() }
+        NumberedKeys { keys: Vec::new(), slots: Vec::new() }
     }
 }
 
-impl<K: Copy + Eq + Hash> Distinct<K> {
+impl<K: Copy + Eq + Hash> NumberedKeys<K> {
     /// The keys by number.
     pub(super) fn keys(&self) -> &[K] {
         &self.keys
@@ -91,16 +91,16 @@ mod tests {
 
     #[test]
     fn equal_keys_have_one_number() {
-        let mut distinct = Distinct::default();
-        assert_eq!(distinct.get([7, 7]), None);
+        let mut numbered = NumberedKeys::default();
+        assert_eq!(numbered.get([7, 7]), None);
         // The second half comes again.
         let keys: Vec<[u32; 2]> = (0..3000).map(|at| [at % 1500, at % 1500 / 7]).collect();
-        let numbers: Vec<u32> = keys.iter().map(|key| distinct.number(*key)).collect();
+        let numbers: Vec<u32> = keys.iter().map(|key| numbered.number(*key)).collect();
         assert!((0..3000).all(|at| numbers[at as usize] == at % 1500));
-        assert_eq!(distinct.keys(), &keys[..1500]);
-        assert!(keys.iter().zip(numbers).all(|(key, number)| distinct.get(*key) == Some(number)));
-        assert_eq!(distinct.get([1, 2]), None);
-        distinct.clear();
-        assert_eq!((distinct.get(keys[0]), distinct.number(keys[5]), distinct.keys().len()), (None, 0, 1));
+        assert_eq!(numbered.keys(), &keys[..1500]);
+        assert!(keys.iter().zip(numbers).all(|(key, number)| numbered.get(*key) == Some(number)));
+        assert_eq!(numbered.get([1, 2]), None);
+        numbered.clear();
+        assert_eq!((numbered.get(keys[0]), numbered.number(keys[5]), numbered.keys().len()), (None, 0, 1));
     }
 }
