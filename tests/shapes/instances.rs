@@ -8,9 +8,8 @@ use cga::sink::buffers::Buffers;
 use cga::sink::gltf::Glb;
 use cga::sink::{Filled, PartId, Replay};
 use cga::{Color, Flow, Leaf, Mesh, Scope, Settings, Shape, Sink, cga};
+use cga_gates::{GlbFile, number};
 use serde_json::Value;
-
-use crate::glb_file::{GlbFile, number};
 
 cga! {
     /// Façades in colours by chance, with frames that grow, and panes that are lit by chance between them.
@@ -44,41 +43,39 @@ struct Triangle {
     normals: [DVec3; 3],
 }
 
-impl GlbFile {
-    fn points(&self, accessor: &Value) -> Vec<DVec3> {
-        self.rows(accessor).into_iter().map(DVec3::from_array).collect()
-    }
+fn points(file: &GlbFile, accessor: &Value) -> Vec<DVec3> {
+    file.rows(accessor).into_iter().map(DVec3::from_array).collect()
+}
 
-    /// All triangles; instances are shown at all of their places.
-    fn triangles(&self) -> Vec<Triangle> {
-        let nodes = self.json["nodes"].as_array().expect("nodes");
-        let root = places(self, &nodes[0])[0];
-        let mut triangles = Vec::new();
-        for (at, node) in nodes.iter().enumerate().filter(|(_, node)| !node["mesh"].is_null()) {
-            for place in places(self, node) {
-                let placement = if at == 0 { root } else { root * place };
-                let mesh = &self.json["meshes"][number(&node["mesh"])];
-                for primitive in mesh["primitives"].as_array().expect("primitives") {
-                    self.add(primitive, placement, &mut triangles);
-                }
+/// All triangles; instances are shown at all of their places.
+fn triangles_of_file(file: &GlbFile) -> Vec<Triangle> {
+    let nodes = file.json["nodes"].as_array().expect("nodes");
+    let root = places(file, &nodes[0])[0];
+    let mut triangles = Vec::new();
+    for (at, node) in nodes.iter().enumerate().filter(|(_, node)| !node["mesh"].is_null()) {
+        for place in places(file, node) {
+            let placement = if at == 0 { root } else { root * place };
+            let mesh = &file.json["meshes"][number(&node["mesh"])];
+            for primitive in mesh["primitives"].as_array().expect("primitives") {
+                add(file, primitive, placement, &mut triangles);
             }
         }
-        triangles
     }
+    triangles
+}
 
-    fn add(&self, primitive: &Value, placement: DMat4, to: &mut Vec<Triangle>) {
-        let attributes = &primitive["attributes"];
-        let (positions, normals) = (self.points(&attributes["POSITION"]), self.points(&attributes["NORMAL"]));
-        let rules = self.rows::<1>(&attributes["_FEATURE_ID_0"]);
-        let color = &self.json["materials"][number(&primitive["material"])]["name"];
-        for triangle in self.rows::<1>(&primitive["indices"]).chunks_exact(3) {
-            let corners = [0, 1, 2].map(|i| triangle[i][0] as usize);
-            to.push(Triangle {
-                look: format!("{color} {}", rules[corners[0]][0]),
-                corners: corners.map(|corner| placement.transform_point3(positions[corner])),
-                normals: corners.map(|corner| placement.transform_vector3(normals[corner])),
-            });
-        }
+fn add(file: &GlbFile, primitive: &Value, placement: DMat4, to: &mut Vec<Triangle>) {
+    let attributes = &primitive["attributes"];
+    let (positions, normals) = (points(file, &attributes["POSITION"]), points(file, &attributes["NORMAL"]));
+    let rules = file.rows::<1>(&attributes["_FEATURE_ID_0"]);
+    let color = &file.json["materials"][number(&primitive["material"])]["name"];
+    for triangle in file.rows::<1>(&primitive["indices"]).chunks_exact(3) {
+        let corners = [0, 1, 2].map(|i| triangle[i][0] as usize);
+        to.push(Triangle {
+            look: format!("{color} {}", rules[corners[0]][0]),
+            corners: corners.map(|corner| placement.transform_point3(positions[corner])),
+            normals: corners.map(|corner| placement.transform_vector3(normals[corner])),
+        });
     }
 }
 
@@ -90,7 +87,7 @@ fn places(file: &GlbFile, node: &Value) -> Vec<DMat4> {
         let matrix = list(&node["matrix"]).map(|list| DMat4::from_cols_slice(&list));
         return vec![moved.or(matrix).unwrap_or(DMat4::IDENTITY)];
     }
-    let (at, turned) = (file.points(&instances["TRANSLATION"]), file.rows::<4>(&instances["ROTATION"]));
+    let (at, turned) = (points(file, &instances["TRANSLATION"]), file.rows::<4>(&instances["ROTATION"]));
     let each = at.iter().zip(&turned);
     each.map(|(&at, turned)| DMat4::from_rotation_translation(DQuat::from_array(*turned), at)).collect()
 }
@@ -140,7 +137,7 @@ fn instances_show_the_same_triangles() {
         let extension = Value::from("EXT_mesh_gpu_instancing");
         assert!(instanced.json["extensionsRequired"].as_array().is_some_and(|list| list.contains(&extension)));
         assert!(merged.json["extensionsRequired"].is_null());
-        assert_same(merged.triangles(), instanced.triangles());
+        assert_same(triangles_of_file(&merged), triangles_of_file(&instanced));
         let sizes = [&merged, &instanced].map(|file| file.bytes.len());
         assert!(2 * sizes[1] < sizes[0], "{sizes:?}");
     }
@@ -190,7 +187,7 @@ fn parts_in_the_material_of_their_shape_are_told_apart() {
         Bays::default().run(&lot, &settings(), &mut merged).expect("no limit");
     }
     let [merged, instanced] = [merged, glb].map(|glb| GlbFile::new(&glb.into_bytes().expect("a file")));
-    assert_same(merged.triangles(), instanced.triangles());
+    assert_same(triangles_of_file(&merged), triangles_of_file(&instanced));
     assert_eq!(instanced.json["meshes"].as_array().map_or(0, Vec::len), 3);
 }
 
@@ -201,7 +198,7 @@ fn a_part_at_one_place_is_no_instance() {
         Bays::default().run(&Shape::cuboid(width, 3.0, 1.0), &settings(), &mut glb).expect("no limit");
         let file = GlbFile::new(&glb.into_bytes().expect("a file"));
         assert_eq!(!file.json["extensionsRequired"].is_null(), has_instances);
-        assert_eq!(file.triangles().len(), 4 * (width / 2.0) as usize);
+        assert_eq!(triangles_of_file(&file).len(), 4 * (width / 2.0) as usize);
     }
 }
 
@@ -224,7 +221,7 @@ fn axes_that_are_no_rotation_make_no_instances() {
             Rows::default().run(&lot, &settings(), &mut glb).expect("no limit");
             GlbFile::new(&glb.into_bytes().expect("a file"))
         });
-        assert_same(merged.triangles(), instanced.triangles());
+        assert_same(triangles_of_file(&merged), triangles_of_file(&instanced));
         assert_eq!(!instanced.json["extensionsRequired"].is_null(), has_instances);
     }
 }

@@ -8,7 +8,6 @@ mod components;
 mod edges;
 #[cfg(feature = "geo-types")]
 mod geo;
-mod glb_file;
 #[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 mod initial_meshes;
 mod instances;

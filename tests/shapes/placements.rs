@@ -8,7 +8,7 @@ use cga::sink::gltf::Glb;
 use cga::sink::stats::Stats;
 use cga::{Flow, Leaf, Mesh, Repeats, Settings, Shape, Sink, cga};
 
-use crate::glb_file::GlbFile;
+use cga_gates::GlbFile;
 
 cga! {
     grammar Places;

@@ -39,7 +39,7 @@ const FIRST_STEP: f64 = 0.381_966;
 /// Extents that differ by less than this share count as equal: the first of them is halved.
 const SAME_EXTENT: f64 = 1e-9;
 
-/// A halving takes as long as so many points that are drawn and not kept.
+/// The number of points that can be drawn in vain in the time that a halving takes.
 const MISSES_PER_HALVING: f64 = 4.0;
 
 /// Cells whose weight is less than the heaviest by this factor, as a logarithm, are not halved.
@@ -132,7 +132,7 @@ pub struct ScatteredPoint {
 /// A domain with a density, divided for a number of points.
 ///
 /// It has at most eight cells for each point, between 256 and 4096, besides the triangles of a surface; a solid with the same density
-/// everywhere has only as many as save time. Parts without an extent, and parts whose density is not a number, get no points.
+/// everywhere has no more than save time. Parts without an extent, and parts whose density is not a number, get no points.
 ///
 /// ```
 /// use cga_geometry::glam::DVec3;
@@ -199,7 +199,7 @@ impl Domain {
         Domain::of(cuboid(low, high, &[], &bell, None).into_iter().collect(), bell, None, count, u64::MAX)
     }
 
-    /// A domain whose uneven cells are halved, at most so many times.
+    /// A domain whose uneven cells are halved, up to a number of halvings.
     fn of(cells: Vec<WeightedCell>, bell: Bell, solid: Option<Solid>, count: u64, halvings: u64) -> Self {
         let mut numbers = 0..;
         let mut numbered = |cell: WeightedCell| WeightedCell { number: numbers.next().unwrap_or_default(), ..cell };
@@ -309,7 +309,7 @@ fn from_largest(cells: Vec<WeightedCell>) -> Vec<WeightedCell> {
 /// and not kept.
 fn halvings_for(size: DVec3, volume: f64, count: u64) -> u64 {
     let misses_of_each = size.element_product() / volume.abs() - 1.0;
-    // More than the box is the volume of a solid that overlaps itself.
+    // A solid that overlaps itself may have a larger volume than its box. Then the volume says nothing.
     if misses_of_each.is_nan() || misses_of_each < -0.01 {
         return u64::MAX;
     }

@@ -24,7 +24,7 @@ pub use back_faces::back_faces;
 pub use cracks::Triangles;
 pub use fights::fights;
 pub use finding::{Finding, report};
-pub use glb::GlbSurvey;
+pub use glb::{GlbFile, GlbSurvey, number};
 pub use holes::holes;
 pub use inside_out::inside_out;
 pub use look::{Look, looks};

@@ -4,9 +4,10 @@ mod reader;
 
 use cga::sink::gltf::Glb;
 use cga::{Building, Grammars, Settings, Shape, Sink, Value, cga};
+use cga_gates::GlbFile;
 use serde_json::Value as Json;
 
-use crate::glb_file::GlbFile;
+use self::reader::BuildingTable as _;
 
 cga! {
     @Allow(unused_attribute)

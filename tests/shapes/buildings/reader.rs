@@ -1,18 +1,27 @@
 //! Property tables and the numbers of features in GLB files.
 
+use cga_gates::GlbFile;
 use serde_json::Value as Json;
 
-use crate::glb_file::GlbFile;
-
-impl GlbFile {
+/// The table of buildings of a file.
+pub(super) trait BuildingTable {
     /// The number of the table of a class.
-    pub(super) fn table(&self, class: &str) -> Option<usize> {
+    fn table(&self, class: &str) -> Option<usize>;
+
+    /// A column of the table of buildings, as JSON values; null for the value that means none.
+    fn column(&self, id: &str) -> Vec<Json>;
+
+    /// The points of all vertices in place, each with the number of its building.
+    fn points_of_buildings(&self) -> Vec<(usize, [f64; 3])>;
+}
+
+impl BuildingTable for GlbFile {
+    fn table(&self, class: &str) -> Option<usize> {
         let tables = self.json["extensions"]["EXT_structural_metadata"]["propertyTables"].as_array()?;
         tables.iter().position(|table| table["class"] == class)
     }
 
-    /// A column of the table of buildings, as JSON values; null for the value that stands for none.
-    pub(super) fn column(&self, id: &str) -> Vec<Json> {
+    fn column(&self, id: &str) -> Vec<Json> {
         let metadata = &self.json["extensions"]["EXT_structural_metadata"];
         let table = &metadata["propertyTables"][self.table("building").unwrap()];
         let (rows, own) = (table["count"].as_u64().unwrap() as usize, &table["properties"][id]);
@@ -54,8 +63,7 @@ impl GlbFile {
         (0..rows).map(|at| none(row(at))).collect()
     }
 
-    /// The points of all vertices in place, each with the number of its building.
-    pub(super) fn points_of_buildings(&self) -> Vec<(usize, [f64; 3])> {
+    fn points_of_buildings(&self) -> Vec<(usize, [f64; 3])> {
         let table = self.table("building").unwrap();
         let moved = &self.json["nodes"][0]["translation"];
         let moved: [f64; 3] = std::array::from_fn(|i| moved[i].as_f64().unwrap_or(0.0));

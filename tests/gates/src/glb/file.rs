@@ -2,10 +2,12 @@
 
 use serde_json::Value as Json;
 
-/// A GLB file.
-pub(super) struct GlbFile {
-    pub(super) json: Json,
-    bytes: Vec<u8>,
+/// A GLB file, taken apart by other code than the writer's.
+pub struct GlbFile {
+    /// The description.
+    pub json: Json,
+    /// The bytes of its buffer.
+    pub bytes: Vec<u8>,
 }
 
 /// The kinds of chunks.
@@ -13,9 +15,11 @@ const JSON_CHUNK: u32 = 0x4e4f_534a;
 const BINARY_CHUNK: u32 = 0x004e_4942;
 
 impl GlbFile {
+    /// Reads a file.
+    ///
     /// # Panics
     /// Panics if the file is not a GLB file of version 2.
-    pub(super) fn new(file: &[u8]) -> Self {
+    pub fn new(file: &[u8]) -> Self {
         assert_eq!((&file[..4], word(file, 4), word(file, 8) as usize), (&b"glTF"[..], 2, file.len()));
         let (mut json, mut bytes, mut at) = (Json::Null, Vec::new(), 12);
         while at < file.len() {
@@ -31,16 +35,23 @@ impl GlbFile {
         GlbFile { json, bytes }
     }
 
-    /// The bytes of a view, from an offset.
-    pub(super) fn view(&self, view: &Json) -> &[u8] {
+    /// The bytes of a view.
+    ///
+    /// # Panics
+    /// Panics if the view does not exist, or does not begin at a multiple of eight bytes of the buffer.
+    pub fn view(&self, view: &Json) -> &[u8] {
         let view = &self.json["bufferViews"][number(view)];
         assert_eq!(number(&view["buffer"]), 0, "the file has one buffer");
         let start = number(&view["byteOffset"]);
+        assert_eq!(start % 8, 0, "a view begins at a multiple of eight bytes");
         &self.bytes[start..start + number(&view["byteLength"])]
     }
 
     /// The items of an accessor, each with `N` numbers. Without a view all are 0.
-    pub(super) fn rows<const N: usize>(&self, accessor: &Json) -> Vec<[f64; N]> {
+    ///
+    /// # Panics
+    /// Panics if the accessor does not exist, or has fewer bytes than its items need.
+    pub fn rows<const N: usize>(&self, accessor: &Json) -> Vec<[f64; N]> {
         let accessor = &self.json["accessors"][number(accessor)];
         let count = number(&accessor["count"]);
         if accessor["bufferView"].is_null() {
@@ -95,7 +106,7 @@ fn word(bytes: &[u8], at: usize) -> u32 {
 }
 
 /// A whole number of a file; 0 if it is left out.
-pub(super) fn number(value: &Json) -> usize {
+pub fn number(value: &Json) -> usize {
     value.as_u64().unwrap_or(0) as usize
 }
 

@@ -7,7 +7,8 @@ use cga::glam::{DAffine3, DMat4, DQuat, DVec2, DVec3};
 use cga::mesh::Bounds;
 use serde_json::Value as Json;
 
-use self::file::{GlbFile, number, numbers};
+use self::file::numbers;
+pub use self::file::{GlbFile, number};
 use self::parts::parts;
 use crate::survey::{Part, Survey, Triangle};
 

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use cga::glam::DVec3;
+use cga_geometry::disjoint::DisjointSets;
 
 use super::Primitive;
 
@@ -62,32 +63,15 @@ fn points(positions: &[DVec3]) -> Vec<u32> {
 
 /// The groups of triangles that have points in common, each in the order of the file.
 fn connected(triangles: &[[u32; 3]], points: &[u32]) -> Vec<Vec<[u32; 3]>> {
-    fn root(parents: &mut [usize], mut at: usize) -> usize {
-        while parents[at] != at {
-            parents[at] = parents[parents[at]];
-            at = parents[at];
-        }
-        at
-    }
-    let mut parents: Vec<usize> = (0..triangles.len()).collect();
-    let mut first: HashMap<u32, usize> = HashMap::new();
-    for (number, triangle) in triangles.iter().enumerate() {
+    let mut sets = DisjointSets::new(triangles.len());
+    let mut first = HashMap::new();
+    for (number, triangle) in (0..).zip(triangles) {
         for corner in triangle {
-            let other = *first.entry(points[*corner as usize]).or_insert(number);
-            let [a, b] = [number, other].map(|at| root(&mut parents, at));
-            parents[a.max(b)] = a.min(b);
+            sets.unite(*first.entry(points[*corner as usize]).or_insert(number), number);
         }
     }
-    let mut groups: Vec<Vec<[u32; 3]>> = Vec::new();
-    let mut group_of = HashMap::new();
-    for (number, triangle) in triangles.iter().enumerate() {
-        let group = *group_of.entry(root(&mut parents, number)).or_insert_with(|| {
-            groups.push(Vec::new());
-            groups.len() - 1
-        });
-        groups[group].push(*triangle);
-    }
-    groups
+    let group = |numbers: Vec<u32>| numbers.into_iter().map(|number| triangles[number as usize]).collect();
+    sets.sets().into_iter().map(group).collect()
 }
 
 /// The enclosed volume in cubic metres.
