@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use crate::bounds::Bounds;
 use crate::each::Each;
+use crate::small_sort::SmallSort;
 use crate::work;
 
 /// The number of boxes in a leaf of the tree.
@@ -56,7 +57,7 @@ impl BoundsTree {
         let axis = (1..3).fold(0, |longest, axis| if size[longest] < size[axis] { axis } else { longest });
         let middle = |number: u32| boxes[number as usize].low[axis] + boxes[number as usize].high[axis];
         let half = (end - start) / 2;
-        self.order[start..end].select_nth_unstable_by(half, |&a, &b| middle(a).total_cmp(&middle(b)).then(a.cmp(&b)));
+        self.order[start..end].small_select_by(half, |&a, &b| middle(a).total_cmp(&middle(b)).then(a.cmp(&b)));
         self.add(boxes, start, start + half);
         self.nodes[number].second = self.nodes.len() as u32;
         self.add(boxes, start + half, end);

@@ -5,7 +5,7 @@ use std::cmp::Ordering;
 use crate::small_sort::{SmallSort, merge_runs};
 use crate::work;
 
-/// Parts of this length are sorted by the standard library.
+/// Parts of this length are sorted without a question.
 const PART: usize = 1 << 14;
 
 /// The units of work of an element in a part, and of a comparison in a merge.
@@ -16,7 +16,7 @@ const MERGING: usize = 2;
 /// then, in no order.
 #[must_use]
 pub fn long_sort_by<T: Copy>(list: &mut [T], compare: impl Fn(&T, &T) -> Ordering) -> bool {
-    sort(list, |part| part.sort_unstable_by(&compare), &compare)
+    sort(list, |part| part.small_sort_unstable_by(&compare), &compare)
 }
 
 /// The same, with the order of equal elements kept. Lists are mostly short.

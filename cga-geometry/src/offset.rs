@@ -16,7 +16,7 @@ use crate::derive::{CornerValues, Derivation, FaceOrigin, PointOrigin};
 use crate::mesh::{FlatFace, Mesh, flip};
 use crate::nesting::polygons::NestedRings;
 use crate::skeleton::{self, FrontCorner, SkeletonError, Strip};
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 use crate::work;
 
 pub mod each_edge;
@@ -189,7 +189,7 @@ impl<'p, 'a, 's> FaceParts<'p, 'a, 's> {
             self.polygon([&ring[..]].into_iter(), &mut added);
             return 1;
         }
-        rings.sort_unstable_by_key(|ring| ring[0]);
+        sort_owned_by(&mut rings, |a, b| a[0].cmp(&b[0]));
         let nested = NestedRings::of(self.points, rings.iter().map(|ring| ring.iter().map(|corner| corner.1)));
         nested.polygons().for_each(|rings| self.polygon(rings, &mut added));
         nested.polygons().len()

@@ -19,7 +19,7 @@ use crate::disjoint::DisjointSets;
 use crate::each::Each;
 use crate::exact::orient;
 use crate::mesh::Bounds;
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 
 /// A facet whose outline winds around a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -393,7 +393,7 @@ impl LineGraph {
                 size: (size[1] - size[0]).max_element(),
             });
         }
-        parts.sort_by(|a, b| b.size.total_cmp(&a.size));
+        sort_owned_by(&mut parts, |a, b| b.size.total_cmp(&a.size));
         Ok(parts)
     }
 

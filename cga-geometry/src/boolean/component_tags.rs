@@ -9,6 +9,7 @@ use super::progress::goes_on;
 use super::sheet::Sheets;
 use crate::each::Each;
 use crate::mesh::{Mesh, TagSet, TagSetTable};
+use crate::small_sort::sort_owned_by;
 
 /// The number for "no tags".
 pub(super) const NO_TAGS: u32 = u32::MAX;
@@ -75,7 +76,7 @@ impl EdgeTags {
 pub(super) fn vertex_tags(mesh: &Mesh, numbers: &[u32]) -> Vec<(u32, TagSet)> {
     let mut list: Vec<(u32, TagSet)> =
         mesh.subcomponent_tags.vertices().map(|(point, tags)| (numbers[point as usize], tags.clone())).collect();
-    list.sort_by_key(|entry| entry.0);
+    sort_owned_by(&mut list, |a, b| a.0.cmp(&b.0));
     list.dedup_by(|next, kept| {
         let is_same = next.0 == kept.0;
         if is_same {

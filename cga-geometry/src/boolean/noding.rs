@@ -116,7 +116,7 @@ fn compare_edges(
         (Bounds { low: (a.min(b) - reach).extend(0.0), high: (a.max(b) + reach).extend(0.0) }, line)
     };
     let mut boxes: Vec<(Bounds, u32)> = lines.iter().map(|line| extent(*line)).collect();
-    boxes.sort_unstable_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
+    boxes.small_sort_unstable_by(|a, b| a.0.low.x.total_cmp(&b.0.low.x).then(a.1.cmp(&b.1)));
     let lines: Vec<u32> = boxes.iter().map(|entry| entry.1).collect();
     let boxes: Vec<Bounds> = boxes.into_iter().map(|entry| entry.0).collect();
     // A tree costs more than it saves for few edges.

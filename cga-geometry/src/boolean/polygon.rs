@@ -17,6 +17,7 @@ use crate::buckets::Buckets;
 use crate::disjoint::DisjointSets;
 use crate::long_sort::long_sort_by;
 use crate::mesh::in_order;
+use crate::small_sort::{SmallSort, sort_owned_by};
 
 /// A corner of a polygon, and the edge that starts there.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,7 +122,7 @@ impl<'a, 'c> PolygonMaker<'a, 'c> {
                 set.iter().for_each(|one| _ = self.add(&[*one], &mut made, budget));
             }
         }
-        made.faces.sort_by_key(|face| face.order);
+        sort_owned_by(&mut made.faces, |a, b| a.order.cmp(&b.order));
         Ok(made)
     }
 
@@ -264,7 +265,7 @@ impl<'a, 'c> PolygonMaker<'a, 'c> {
             turned.add(corners[start..].iter().chain(&corners[..start]).copied());
         }
         let mut holes: Vec<u32> = (1..turned.len()).collect();
-        holes.sort_by(|a, b| earlier(&turned.of(*a)[0], &turned.of(*b)[0]));
+        holes.small_sort_by(|a, b| earlier(&turned.of(*a)[0], &turned.of(*b)[0]));
         for ring in [0].into_iter().chain(holes) {
             made.rings.add_ring(turned.of(ring).iter().copied());
         }

@@ -5,6 +5,7 @@ use glam::DVec2;
 use crate::bounds_tree::{BoundsTree, overlap};
 use crate::each::Each;
 use crate::mesh::Bounds;
+use crate::small_sort::SmallSort;
 
 /// Facets with at most this many corners have no tree: a look at all their edges is as fast.
 pub(super) const MOST_WITHOUT_TREE: usize = 64;
@@ -52,7 +53,7 @@ impl RimTree {
     pub(super) fn near(&self, [a, b]: [DVec2; 2], edges: &mut Vec<[usize; 2]>) -> usize {
         edges.clear();
         let compared = self.visit(a.min(b), a.max(b), |edge| edges.push(edge));
-        edges.sort_unstable();
+        edges.small_sort_unstable();
         compared
     }
 }

@@ -152,7 +152,7 @@ impl Sheets {
             all.extend(inner.iter().flat_map(both));
         }
         ask()?;
-        all.sort_by_key(|(edge, _)| *edge);
+        all.small_sort_by_key(|(edge, _)| *edge);
         ask()?;
         let (fans, uses) = (Vec::new(), Vec::with_capacity(all.len()));
         let mut sheets = Sheets { rings: cells.rings, cells: firsts, sources, fans, uses };

@@ -8,7 +8,7 @@ use super::{add_face, spend, without_faces};
 use crate::each::Each;
 use crate::long_sort::long_sort_by;
 use crate::mesh::Mesh;
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 use crate::tol::VOLUME_EPSILON;
 
 /// A face that has the same corners as others.
@@ -136,7 +136,7 @@ fn doubles(mesh: &Mesh) -> Option<Vec<Vec<Double>>> {
             set.iter().map(|(double, _)| Double { is_along: double.is_along == first, ..*double }).collect()
         })
         .collect();
-    sets.sort_unstable_by_key(|set| set[0].face);
+    sort_owned_by(&mut sets, |a, b| a[0].face.cmp(&b[0].face));
     Some(sets)
 }
 
@@ -155,7 +155,7 @@ fn canonical(mesh: &Mesh, face: u32) -> (Vec<u32>, Vec<u32>, bool) {
         }
         loops.push(if is_along { ahead } else { back });
     }
-    loops[1..].sort_unstable();
+    sort_owned_by(&mut loops[1..], Ord::cmp);
     let mut points = Vec::with_capacity(face.corner_count() + loops.len());
     for ring in &loops {
         points.extend_from_slice(&ring.0);

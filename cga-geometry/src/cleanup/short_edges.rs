@@ -5,6 +5,7 @@ use super::merge::merged_into;
 use super::{slits, spend, without_unused_points};
 use crate::each::Each;
 use crate::mesh::Mesh;
+use crate::small_sort::SmallSort;
 
 /// The mesh without edges shorter than a length in metres: their ends become one. `None` if it has no such edge, or if no
 /// face would be left.
@@ -23,7 +24,7 @@ pub fn without_short_edges(mesh: &Mesh, length: f64) -> Option<Mesh> {
     if short.is_empty() {
         return None;
     }
-    short.sort_unstable();
+    short.small_sort_unstable();
     short.dedup();
     let kept = flattened(mesh, &targets(mesh, &short, length, &|_| false))?;
     let made = merged_into(mesh, |stays| {

@@ -68,7 +68,7 @@ fn build(nodes: &mut Vec<TreeNode>, items: &mut [Item], start: usize) {
     let axis = usize::from(size.x < size.y);
     let middle = items.len() / 2;
     let key = |item: &Item| item.1.low[axis] + item.1.high[axis];
-    items.select_nth_unstable_by(middle, |a, b| key(a).total_cmp(&key(b)).then(a.0.cmp(&b.0)));
+    items.small_select_by(middle, |a, b| key(a).total_cmp(&key(b)).then(a.0.cmp(&b.0)));
     let (first, second) = items.split_at_mut(middle);
     build(nodes, first, start);
     nodes[number] = TreeNode { extent, start: nodes.len() as u32, end: 0 };

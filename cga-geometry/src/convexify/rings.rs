@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::net::Net;
 use super::turn::is_convex;
 use crate::nesting::polygons::NestedRings;
+use crate::small_sort::sort_owned_by;
 use crate::triangulate::doubled_area;
 
 /// A part of a face: the first corners of its loops, the outline first.
@@ -84,7 +85,7 @@ impl Rings {
 pub(super) fn in_order(parts: Vec<Vec<Vec<u32>>>) -> Vec<Part> {
     let first = |ring: &Vec<u32>| ring.iter().copied().min().unwrap_or(0);
     let mut parts: Vec<Part> = parts.iter().map(|rings| rings.iter().map(first).collect()).collect();
-    parts.sort_unstable();
+    sort_owned_by(&mut parts, Ord::cmp);
     parts
 }
 

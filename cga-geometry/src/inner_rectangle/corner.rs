@@ -9,6 +9,7 @@ use crate::each::Each;
 use glam::DVec2;
 
 use super::Found;
+use crate::small_sort::SmallSort;
 
 /// Areas that differ by less, relative to the larger one, are equal.
 const EQUAL: f64 = 1e-12;
@@ -83,7 +84,7 @@ impl CornerLimits {
         }
         all.retain(|found| most * (1.0 - EQUAL) <= found.area);
         // Most are found many times, and all pairs are looked at.
-        all.sort_unstable_by(|a, b| a.low.x.total_cmp(&b.low.x).then(a.high.x.total_cmp(&b.high.x)));
+        all.small_sort_unstable_by(|a, b| a.low.x.total_cmp(&b.low.x).then(a.high.x.total_cmp(&b.high.x)));
         all.dedup_by(|a, b| a.low.abs_diff_eq(b.low, EQUAL) && a.high.abs_diff_eq(b.high, EQUAL));
         let off = |found: &Found| found.middle().distance_squared(centre);
         let mut nearest = all.iter().copied().min_by(|a, b| off(a).total_cmp(&off(b)))?;

@@ -9,6 +9,7 @@ use glam::DVec2;
 use super::MeshError;
 use crate::each::Each;
 use crate::exact::orient;
+use crate::small_sort::SmallSort;
 use crate::status::{LEFT, RIGHT, Status, is_below};
 
 /// An edge of a loop, in the plane.
@@ -112,7 +113,7 @@ impl CrossingSweep {
         let sorted = |end: fn(&LoopEdge) -> DVec2| {
             let mut order: Vec<(DVec2, u32)> =
                 (0..).zip(&self.edges).map(|(number, edge)| (end(edge), number)).collect();
-            order.sort_unstable_by(|a, b| by(a.0, b.0).then(a.1.cmp(&b.1)));
+            order.small_sort_unstable_by(|a, b| by(a.0, b.0).then(a.1.cmp(&b.1)));
             order
         };
         let [starts, ends] = [sorted(|edge| edge.low), sorted(|edge| edge.high)];
@@ -137,7 +138,7 @@ impl CrossingSweep {
                 return Err(self.crossing(right, other));
             }
             (starts, ends) = (&starts[began..], &ends[ended..]);
-            here.sort_unstable_by(|&a, &b| self.edges[a as usize].side(self.edges[b as usize].high).cmp(&0));
+            here.small_sort_unstable_by(|&a, &b| self.edges[a as usize].side(self.edges[b as usize].high).cmp(&0));
             for (k, &edge) in here.iter().enumerate() {
                 let ring = self.edges[edge as usize].ring as usize;
                 if places[ring].is_none() {
@@ -184,7 +185,7 @@ impl CrossingSweep {
             let LoopEdge { ring, number, .. } = self.edges[edge as usize];
             (ring as usize, number as usize)
         });
-        pair.sort_unstable();
+        pair.small_sort_unstable();
         MeshError::SelfCrossing { first: pair[0], second: pair[1] }
     }
 }

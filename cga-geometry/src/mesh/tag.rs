@@ -1,5 +1,6 @@
 //! Tags of components: names that operations give, keep and renew.
 
+use crate::small_sort::sort_owned_by;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -42,7 +43,7 @@ impl TagSet {
     /// A set of tags with the given names.
     pub fn new<N: Into<Arc<str>>>(names: impl IntoIterator<Item = N>) -> Self {
         let mut names: Vec<Arc<str>> = names.into_iter().map(N::into).collect();
-        names.sort_unstable();
+        sort_owned_by(&mut names, Ord::cmp);
         names.dedup();
         TagSet(names.into())
     }

@@ -11,6 +11,7 @@ use std::collections::BinaryHeap;
 use super::extent::Extent;
 use super::measured_loop::Loop;
 use super::winding::QueryBudget;
+use crate::small_sort::SmallSort;
 
 /// A tree of some loops.
 #[derive(Default)]
@@ -39,7 +40,7 @@ impl BoxTree {
         self.by_rank.clear();
         self.by_rank.extend((0..loops.len()).filter(|&number| counts(number)).map(|number| number as u32));
         let area = |number: u32| loops[number as usize].area;
-        self.by_rank.sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
+        self.by_rank.small_sort_unstable_by(|&a, &b| area(a).total_cmp(&area(b)).then(a.cmp(&b)));
         let leaf = |(rank, &number): (usize, &u32)| BoxNode {
             extent: loops[number as usize].extent,
             rank: rank as u32,
@@ -74,7 +75,7 @@ impl BoxTree {
         } else {
             |extent| extent.high.y
         };
-        leaves.select_nth_unstable_by(middle, by(bound));
+        leaves.small_select_by(middle, by(bound));
         let (first, second) = leaves.split_at_mut(middle);
         self.add(first);
         self.nodes[number].second = self.nodes.len() as u32;

@@ -1,6 +1,6 @@
 //! Loops that occur several times, as in a mesh with duplicate faces.
 
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -39,7 +39,7 @@ impl Twins {
         for same_box in self.order.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(|group| group.len() > 1) {
             let mut rings: Vec<CanonicalLoop> =
                 same_box.iter().map(|&(.., number)| CanonicalLoop::of(section, &ranges[number], number)).collect();
-            rings.sort_unstable_by(|a, b| a.order(b).then(a.number.cmp(&b.number)));
+            sort_owned_by(&mut rings, |a, b| a.order(b).then(a.number.cmp(&b.number)));
             for kind in rings.chunk_by(|a, b| a.order(b).is_eq()).filter(|kind| kind.len() > 1) {
                 let places = kind.iter().enumerate().map(|(rank, ring)| (ring.number, (self.groups.len(), rank)));
                 self.places.extend(places);

@@ -116,7 +116,7 @@ impl LoopSweep {
         for event in events.iter_mut() {
             event.begins = event.edges.iter().all(|&edge| edges[edge as usize].low == event.at);
         }
-        events.sort_unstable_by(|a, b| {
+        events.small_sort_unstable_by(|a, b| {
             let place = is_below(b.at, a.at).cmp(&is_below(a.at, b.at));
             place.then(a.begins.cmp(&b.begins)).then(a.edges.cmp(&b.edges))
         });

@@ -18,6 +18,7 @@ use glam::DVec2;
 
 use crate::nesting::contour::Contour;
 use crate::nesting::polygons::NestedRings;
+use crate::small_sort::sort_owned_by;
 use crate::tol::TOUCH_EPSILON;
 pub(crate) use grid::Grid;
 use grid::{GridPoint, double_area};
@@ -115,7 +116,7 @@ fn nested(mut loops: Vec<Vec<u32>>, flat: &[DVec2], places: &[GridPoint]) -> Vec
         let first = (0..ring.len()).min_by_key(|&i| ring[i]).unwrap_or(0);
         ring.rotate_left(first);
     }
-    loops.sort_unstable();
+    sort_owned_by(&mut loops, Ord::cmp);
     let nested = NestedRings::of_anticlockwise(flat, loops.into_iter());
     let polygons = nested.polygons().map(|rings| -> Vec<Vec<u32>> { rings.map(<[u32]>::to_vec).collect() });
     // A hole whose outline was a sliver has no region around it.

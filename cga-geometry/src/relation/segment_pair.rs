@@ -7,6 +7,7 @@ use super::budget::Budget;
 use super::plane_cut::edge_planes;
 use super::surface::{Place, Surface};
 use crate::bounds::Bounds;
+use crate::small_sort::SmallSort;
 
 /// The places of a part of a segment that are compared until one is not on the surface, as shares of its length.
 const SHARES: [f64; 5] = [0.5, 0.25, 0.75, 0.02, 0.98];
@@ -31,7 +32,7 @@ pub(super) fn relate_segment(ends: [DVec3; 2], occluder: &Surface, tolerance: f6
         }
         true
     });
-    cuts.sort_unstable_by(f64::total_cmp);
+    cuts.small_sort_unstable_by(f64::total_cmp);
     let (budget, mut is_outside, mut overlaps) = (Budget::new(), false, false);
     for part in cuts.windows(2) {
         let at = |share: &f64| ends[0] + (ends[1] - ends[0]) * (part[0] + (part[1] - part[0]) * share);

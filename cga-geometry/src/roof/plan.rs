@@ -9,7 +9,7 @@ use super::{Outline, Roof, RoofFace, RoofPart};
 use crate::disjoint::DisjointSets;
 use crate::nesting::extent::Extent;
 use crate::skeleton::{self, SkeletonError, Speeds, Swept};
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 use crate::tol::{NUDGE_EPSILONS, TIE_EPSILON, TOUCH_EPSILON};
 
 /// A ridge is between edges whose directions differ from opposite ones by less than 45 degrees: the cosine of 135 degrees.
@@ -135,7 +135,7 @@ impl Plan {
         let own = std::mem::take(&mut self.faces).into_iter().map(|face| (face.edge, face.ring));
         let mut parts: Vec<(u32, Vec<u32>)> = own.chain(regions).collect();
         // The parts of an edge keep their order.
-        parts.sort_by_key(|part| part.0);
+        sort_owned_by(&mut parts, |a, b| a.0.cmp(&b.0));
         for parts in parts.chunk_by_mut(|a, b| a.0 == b.0) {
             let edge = parts[0].0;
             let first = fronts.partition_point(|front| front.0 < edge);
@@ -199,7 +199,7 @@ impl Plan {
 
     /// The roof whose planes rise by `slope` per metre. Faces over edges that `is_side` selects are upright.
     pub(super) fn roof(mut self, slope: f64, is_side: &dyn Fn(u32) -> bool) -> Roof {
-        self.faces.sort_by_key(|face| face.edge);
+        sort_owned_by(&mut self.faces, |a, b| a.edge.cmp(&b.edge));
         let part = |edge: u32| if is_side(edge) { RoofPart::Side } else { RoofPart::Top };
         let face =
             |PlanFace { edge, ring }: PlanFace| RoofFace { part: part(edge), edge: Some(edge), rings: vec![ring] };

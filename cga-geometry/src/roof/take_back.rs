@@ -8,6 +8,7 @@ use super::Outline;
 use super::arcs::arcs;
 use super::plan::{Plan, PlanFace};
 use crate::skeleton::SkeletonError;
+use crate::small_sort::SmallSort;
 use crate::tol::TIE_EPSILON;
 
 /// A line across faces: what is on its right goes.
@@ -58,7 +59,7 @@ impl Plan {
                     .map(|other| faces[other].edge)
                     .filter(|&other| ends[other as usize])
                     .collect();
-                beside.sort_unstable();
+                beside.small_sort_unstable();
                 beside.dedup();
                 let low = Line { height: Some(eave), ..Line::beside(outline, edges[edge as usize], eave, edges.len()) };
                 let eave = (0.0 < eave).then_some(low);
@@ -123,7 +124,7 @@ impl Plan {
         let place = |point: u32| line.along.dot(self.points[point as usize] - line.from);
         let order = |end: fn(&[u32]) -> u32| {
             let mut order: Vec<usize> = (0..runs.len()).collect();
-            order.sort_by(|&a, &b| place(end(&runs[a])).total_cmp(&place(end(&runs[b]))));
+            order.small_sort_by(|&a, &b| place(end(&runs[a])).total_cmp(&place(end(&runs[b]))));
             order
         };
         let (stops, starts) = (order(|run| run[run.len() - 1]), order(|run| run[0]));

@@ -12,6 +12,7 @@ use super::{FrontCorner, Strip, Swept};
 use crate::each::Each;
 use crate::exact::orient;
 use crate::exact::winding;
+use crate::small_sort::SmallSort;
 use crate::tol::{MEETING_EPSILONS, TOUCH_EPSILON};
 use crate::work;
 
@@ -125,7 +126,7 @@ fn crosses(left: &[Vec<FrontCorner>], points: &[DVec2], slack: f64) -> bool {
 
 /// Returns true if two of some edges cross by more than `slack`.
 pub(crate) fn any_cross(mut edges: Vec<[DVec2; 2]>, slack: f64) -> bool {
-    edges.sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
+    edges.small_sort_by(|e, f| e[0].x.min(e[1].x).total_cmp(&f[0].x.min(f[1].x)));
     edges.iter().enumerate().any(|(i, edge)| {
         let reach = edge[0].x.max(edge[1].x);
         let near = edges[i + 1..].iter().take_while(|other| other[0].x.min(other[1].x) <= reach);

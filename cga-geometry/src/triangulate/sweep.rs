@@ -20,6 +20,7 @@ use glam::DVec2;
 
 use crate::each::Each;
 use crate::exact::orient;
+use crate::small_sort::SmallSort;
 use crate::status::{LEFT, RIGHT, Status, is_below};
 
 const NONE: u32 = u32::MAX;
@@ -108,7 +109,7 @@ impl MonotoneSweep {
             let (a, b) = (self.prev[corner as usize], self.next[corner as usize]);
             below(points, corner, a) && below(points, corner, b)
         };
-        self.order.sort_by(|a, b| {
+        self.order.small_sort_by(|a, b| {
             let order = if a.y != b.y { a.y < b.y } else { a.x < b.x };
             if a.y == b.y && a.x == b.x {
                 (late(a.corner), a.corner).cmp(&(late(b.corner), b.corner))

@@ -159,7 +159,7 @@ impl Unfold {
             let (a, b) = (sides[side], sides[if side % 3 == 2 { side - 2 } else { side + 1 }]);
             (u64::from(a.min(b)) << 32 | u64::from(a.max(b)), b < a, side as u32)
         }));
-        self.edges.sort_unstable();
+        self.edges.small_sort_unstable();
         self.twin.clear();
         self.twin.resize(sides.len(), NONE);
         // If loops cross, an edge may occur several times.

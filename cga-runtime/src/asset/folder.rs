@@ -7,6 +7,7 @@ use std::path::{Component, Path, PathBuf};
 use cga_split::files::places;
 
 use super::AssetError;
+use crate::geometry::small_sort::sort_owned_by;
 use crate::value::text::Text;
 
 /// The limit on files and folders that are visited. Beyond it the same ones are skipped on every platform.
@@ -58,7 +59,7 @@ impl Listing {
     /// These names, and the additional names `given`.
     pub(super) fn of<'a>(mut names: Vec<String>, given: impl Iterator<Item = &'a String>) -> Self {
         names.extend(given.cloned());
-        names.sort_unstable();
+        sort_owned_by(&mut names, Ord::cmp);
         names.dedup();
         Listing { names, cut_short: false }
     }

@@ -6,6 +6,7 @@
 //! Time and memory are bounded. After [`MOST_WORK`] the middles of faces decide.
 
 use crate::geometry::each::Each;
+use crate::geometry::small_sort::SmallSort;
 use glam::{DVec2, DVec3};
 
 /// A face in the picture. Depth grows towards the viewer.
@@ -121,7 +122,7 @@ pub(crate) fn back_to_front(faces: &[&DepthFace]) -> Vec<usize> {
 fn back_to_front_within(budget: Budget, faces: &[&DepthFace]) -> Vec<usize> {
     // Farther middles first, as a start and wherever other rules do not decide; equal ones in their given order.
     let mut start: Vec<usize> = (0..faces.len()).collect();
-    start.sort_by(|&a, &b| faces[a].middle.z.total_cmp(&faces[b].middle.z).then(a.cmp(&b)));
+    start.small_sort_unstable_by(|&a, &b| faces[a].middle.z.total_cmp(&faces[b].middle.z).then(a.cmp(&b)));
     let behind = behind(faces, &start, budget);
     // Paints the faces behind a face before it: a depth-first walk, without recursion.
     let mut order = Vec::with_capacity(faces.len());

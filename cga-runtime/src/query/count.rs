@@ -2,6 +2,7 @@
 
 use super::readable::placed;
 use crate::geometry::mesh::{FaceTag, Mesh};
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::wire::Wire;
 use crate::material::Material;
 use crate::run::env::Env;
@@ -62,7 +63,7 @@ fn names(
 ) -> Array<Text> {
     let Some(Placed { mesh, .. }) = placed(shape) else { return Array::default() };
     let mut used: Vec<u32> = mesh.face_attributes().map(|tag| id(&tag)).collect();
-    used.sort_unstable();
+    used.small_sort_unstable();
     used.dedup();
     if !env.may_hold(used.len()) {
         return Array::default();

@@ -12,6 +12,7 @@ use glam::DVec3;
 
 use super::file::{image_size, list};
 use crate::asset::{AssetError, File, Files};
+use crate::geometry::small_sort::sort_owned_by;
 use crate::run::env::Env;
 use crate::shape::view::View;
 use crate::value::array::Array;
@@ -169,7 +170,7 @@ fn left_out(env: &mut Env, file: &File, why: &AssetError) {
 
 /// The files by factor, the best one first.
 fn sorted(mut files: Vec<(File, f64)>) -> Vec<(File, f64)> {
-    files.sort_by(|(_, a), (_, b)| a.total_cmp(b));
+    sort_owned_by(&mut files, |(_, a), (_, b)| a.total_cmp(b));
     files
 }
 

@@ -4,6 +4,7 @@ use super::file::read_text;
 use super::file_table;
 use crate::asset::{AssetError, File};
 use crate::func::{bool_to_text, float_to_text};
+use crate::geometry::small_sort::sort_owned_by;
 use crate::material::{MATERIAL_NUMBERS, MATERIAL_TEXTS, Material, MaterialText};
 use crate::run::env::Env;
 use crate::shape::Shape;
@@ -56,7 +57,7 @@ fn rows(material: &Material, all: bool) -> Vec<[Text; 2]> {
     }
     let sides = material.double_sided.or_else(|| all.then_some(true));
     rows.extend(sides.map(|sides| [Text::fixed("doubleSided"), bool_to_text(sides)]));
-    rows.sort();
+    sort_owned_by(&mut rows, Ord::cmp);
     rows
 }
 

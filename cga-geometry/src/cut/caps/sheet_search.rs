@@ -21,7 +21,7 @@ use crate::each::Each;
 use crate::mesh::Mesh;
 use crate::nesting::Nest;
 use crate::nesting::contour::Contour;
-use crate::small_sort::SmallSort;
+use crate::small_sort::{SmallSort, sort_owned_by};
 use glam::DVec2;
 
 /// Finds the faces that go to the other side, after all faces were cut by the rule. Returns whether there are any.
@@ -169,7 +169,7 @@ impl<'f> SheetSearch<'f> {
     /// faces, sorted.
     fn match_sheets(&mut self) -> Vec<usize> {
         let mut groups = std::mem::take(&mut self.groups);
-        groups.sort_by(|a, b| a.rim.cmp(&b.rim).then(a.is_above.cmp(&b.is_above)));
+        sort_owned_by(&mut groups, |a, b| a.rim.cmp(&b.rim).then(a.is_above.cmp(&b.is_above)));
         let mut settled = Vec::new();
         for same in groups.chunk_by(|a, b| a.rim == b.rim) {
             let (below, above) = same.split_at(same.partition_point(|group| !group.is_above));
@@ -211,7 +211,8 @@ impl<'f> SheetSearch<'f> {
         self.missing = count(&wrong);
         // A group that is also part of a sheet goes below.
         let mut groups = std::mem::take(&mut self.groups);
-        groups.sort_by_key(|group| (!group.is_above, group.faces[0]));
+        let key = |group: &SheetGroup| (!group.is_above, group.faces[0]);
+        sort_owned_by(&mut groups, |a, b| key(a).cmp(&key(b)));
         for group in groups {
             if self.take(&group.rim) {
                 self.change_sides(&group);

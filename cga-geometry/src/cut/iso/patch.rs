@@ -20,6 +20,7 @@ use crate::each::Each;
 use crate::mesh::pair_table::PairTable;
 use crate::mesh::{FaceTag, TooManyCorners};
 use crate::nesting::Nest;
+use crate::small_sort::sort_owned_by;
 use crate::tol::AFFINE_EPSILON;
 use crate::triangulate::{PlaneProjection, Triangulator};
 
@@ -284,7 +285,7 @@ impl PatchBuffers {
             }
             self.end_ring(from, band);
         }
-        self.rings.sort_by_key(|ring| (ring.band, ring.edge));
+        sort_owned_by(&mut self.rings, |a, b| (a.band, a.edge).cmp(&(b.band, b.edge)));
     }
 
     /// Ends a ring. Repeated corners are removed, and rings with fewer than three corners are dropped.

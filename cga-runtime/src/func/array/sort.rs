@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 
+use crate::geometry::small_sort::SmallSort;
 use crate::run::env::Env;
 use crate::value::array::{Array, Element};
 use crate::value::compare::Compare;
@@ -22,7 +23,7 @@ pub fn sort_indices<T: Element>(env: &mut Env, array: Array<T>) -> Array<f64> {
     }
     let mut indices: Vec<usize> = (0..array.len()).collect();
     for row in indices.chunks_mut(array.columns().max(1)) {
-        row.sort_by(|&a, &b| order(&array.as_slice()[a], &array.as_slice()[b]));
+        row.small_sort_by(|&a, &b| order(&array.as_slice()[a], &array.as_slice()[b]));
     }
     Array::new(numbers(indices), array.rows(), array.columns())
 }
@@ -36,7 +37,7 @@ pub fn sort_row_indices<T: Element>(env: &mut Env, array: Array<T>) -> Array<f64
     let rows: Vec<&[T]> = array.iter_rows().collect();
     let mut indices: Vec<usize> = (0..rows.len()).collect();
     let compare = |a: &[T], b: &[T]| a.iter().zip(b).map(|(a, b)| order(a, b)).find(|order| order.is_ne());
-    indices.sort_by(|&a, &b| compare(rows[a], rows[b]).unwrap_or(Ordering::Equal));
+    indices.small_sort_by(|&a, &b| compare(rows[a], rows[b]).unwrap_or(Ordering::Equal));
     Array::from(numbers(indices))
 }
 

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use super::plan::Plan;
 use crate::geometry::mesh::Bounds;
+use crate::geometry::small_sort::{SmallSort, sort_owned_by};
 use crate::grammar::parallel::order::in_order;
 use crate::grammar::parallel::{Open, Worker};
 use crate::output::batches::RunError;
@@ -180,7 +181,7 @@ impl SceneRun {
             .chain(near(Queries::INTER_CONTEXT, self.distances.context))
             .chain([index])
             .collect();
-        list.sort_unstable();
+        list.small_sort_unstable();
         list.dedup();
         list
     }
@@ -216,7 +217,7 @@ impl SceneRun {
         let mut list = self.near(index, Queries::INTER_OCCLUSION, self.distances.occlusion);
         if !self.asks_about_all(index) {
             list.extend(self.near(index, Queries::INTER_CONTEXT, self.distances.context));
-            list.sort_unstable();
+            list.small_sort_unstable();
             list.dedup();
         }
         list.into_iter()
@@ -247,7 +248,7 @@ impl SceneRun {
         labelled.rotate_left(later);
         let mut ghosts: Vec<(usize, Option<Arc<Ghost>>)> =
             labelled.into_iter().map(|at| Ok((at, self.ghost(runs, at)?))).collect::<Result<_, _>>()?;
-        ghosts.sort_unstable_by_key(|(at, _)| *at);
+        sort_owned_by(&mut ghosts, |a, b| a.0.cmp(&b.0));
         let mut index = LabelIndex::default();
         for (at, ghost) in &ghosts {
             if let Some(ghost) = ghost {

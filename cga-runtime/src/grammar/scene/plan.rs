@@ -2,6 +2,7 @@
 
 use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::mesh::Bounds;
+use crate::geometry::small_sort::SmallSort;
 use crate::shape::Shape;
 use crate::shape::body::Body;
 
@@ -39,7 +40,7 @@ impl Plan {
             found.push(at);
             true
         });
-        found.sort_unstable();
+        found.small_sort_unstable();
         found
     }
 

@@ -10,6 +10,7 @@ use super::ghosts::{Derivations, Distances, SceneRun};
 use super::plan::{Plan, plan_box};
 use crate::fault::Error;
 use crate::geometry::mesh::Bounds;
+use crate::geometry::small_sort::SmallSort;
 use crate::grammar::Grammar;
 use crate::grammar::parallel::Worker;
 use crate::output::model::Model;
@@ -154,7 +155,7 @@ impl SharedScene {
     pub fn neighbours(&self, index: usize) -> Vec<usize> {
         let mut list = self.occlusion_neighbours(index);
         list.extend(self.context_neighbours(index));
-        list.sort_unstable();
+        list.small_sort_unstable();
         list.dedup();
         list
     }

@@ -4,6 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::fmt::Write as _;
 
 use super::json::{self, joined, quoted};
+use crate::geometry::small_sort::sort_owned_by;
 use crate::output::number_text::Short;
 use crate::run::building::Building;
 use crate::value::Value;
@@ -171,7 +172,7 @@ fn reports(buildings: &[Building]) -> Columns<'_> {
         .enumerate()
         .flat_map(|(row, building)| building.report_values().into_iter().map(move |(key, value)| (row, key, value)));
     let (mut columns, more) = by_name(buildings.len(), cells);
-    columns.sort_by_key(|(key, _)| *key);
+    sort_owned_by(&mut columns, |a, b| a.0.cmp(b.0));
     (columns, more)
 }
 

@@ -12,6 +12,7 @@ use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::each::Each;
 use crate::geometry::long_sort::long_sort_by;
 use crate::geometry::mesh::Bounds;
+use crate::geometry::small_sort::SmallSort;
 use crate::geometry::work;
 
 /// Directions are equal if their coordinates differ by less than this.
@@ -141,7 +142,7 @@ impl Search<'_> {
         for (along, edges) in classes {
             finder.of_direction(along, &edges, &mut others)?;
         }
-        others.sort_unstable();
+        others.small_sort_unstable();
         finder.of_edges(&others)?;
         Some((finder.ranges, finder.inside))
     }
@@ -311,7 +312,7 @@ impl Finder<'_> {
         let units = 1 + self.comparisons - std::mem::replace(&mut self.told, self.comparisons);
         if !self.found.is_empty() {
             // The points of several cells, or in the order of the tree.
-            self.found.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            self.found.small_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let start = self.inside.len() as u32;
             self.inside.extend(self.found.drain(..).map(|(_, point)| point));
             self.ranges[edge as usize] = [start, self.inside.len() as u32];

@@ -6,6 +6,7 @@ use std::sync::OnceLock;
 use super::labelled::{ContextComparison, LabelledShape, is_better};
 use crate::geometry::bounds_tree::BoundsTree;
 use crate::geometry::mesh::Bounds;
+use crate::geometry::small_sort::SmallSort;
 use crate::shape::scope::Scope;
 use crate::value::text::Text;
 
@@ -54,7 +55,7 @@ impl LabelIndex {
         let Some(list) = self.labels.get(label) else { return 0 };
         let values = list.values[by as usize].get_or_init(|| {
             let mut values: Vec<f64> = list.shapes.iter().map(|(_, shape)| shape.value(by)).collect();
-            values.sort_unstable_by(f64::total_cmp);
+            values.small_sort_unstable_by(f64::total_cmp);
             values
         });
         let value = own.value(by);

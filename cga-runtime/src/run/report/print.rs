@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::quota::Quota;
+use crate::geometry::small_sort::sort_owned_by;
 use crate::value::Value;
 use crate::value::text::Text;
 
@@ -63,7 +64,7 @@ impl Prints {
 
     /// The lines, breadth first.
     pub(crate) fn in_order(mut self) -> Vec<Print> {
-        self.lines.sort_by_key(|(depth, _)| *depth);
+        sort_owned_by(&mut self.lines, |a, b| a.0.cmp(&b.0));
         self.lines.into_iter().map(|(_, print)| print).collect()
     }
 }

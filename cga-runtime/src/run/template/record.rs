@@ -16,6 +16,7 @@ use super::{
 };
 use crate::geometry::Axis;
 use crate::geometry::mesh::Mesh;
+use crate::geometry::small_sort::SmallSort;
 use crate::run::context::Cx;
 use crate::run::env::records::{MOST_TAPED, TapedReport};
 use crate::run::settings::Repeats;
@@ -246,7 +247,7 @@ impl<C: Clone> Cx<'_, C> {
         let looks = || body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
         let is_lasting = looks().all(LookId::is_lasting);
         let mut open: Vec<LookId> = looks().filter(|look| self.env.leaf_tables.looks.is_open(*look)).collect();
-        open.sort_unstable_by_key(|look| look.0);
+        open.small_sort_unstable_by(|a, b| a.0.cmp(&b.0));
         open.dedup();
         let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
