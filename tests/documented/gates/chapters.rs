@@ -85,6 +85,13 @@ const TOGETHER: &[&str] = &[
     "translate operation",
 ];
 
+/// Examples with bent faces, or slivers of a cut, whose triangles do not all look to the side of their face.
+const BENT: &[&str] = &[
+    "Boolean operations, mass modeling, adding tags",
+    "Shape recomposition, Random split",
+    "setNormals operation, inconsistent faces",
+];
+
 #[test]
 fn the_examples_of_the_chapters_pass_the_gates() {
     let (mut text, mut used) = (String::new(), BTreeSet::new());
@@ -109,11 +116,13 @@ fn the_examples_of_the_chapters_pass_the_gates() {
             }
         }
         let turned = GlbSurvey::of(&surveyed.file).turned_normals.len();
-        if 0 < turned && title != "setNormals operation, inconsistent faces" {
-            let _ = writeln!(text, "{title}: {turned} triangles have normals that look to their backs");
+        match BENT.iter().find(|beginning| title.starts_with(**beginning)) {
+            _ if turned == 0 => {}
+            Some(beginning) => _ = used.insert(("turned normals", *beginning)),
+            None => _ = writeln!(text, "{title}: {turned} triangles have normals that look to their backs"),
         }
     }
-    let lists = [("back faces", OPEN), ("holes", APART), ("fights", TOGETHER)];
+    let lists = [("back faces", OPEN), ("holes", APART), ("fights", TOGETHER), ("turned normals", BENT)];
     for (gate, beginning) in lists.iter().flat_map(|(gate, list)| list.iter().map(move |beginning| (*gate, *beginning)))
     {
         if !used.contains(&(gate, beginning)) {
