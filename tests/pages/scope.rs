@@ -49,7 +49,7 @@ fn lot() -> Shape {
     Shape::footprint(&outline, &[]).expect("a simple outline")
 }
 
-/// A square lot whose axes are not those of the world.
+/// A square lot whose axes differ from the axes of the world.
 fn turned_lot() -> Shape {
     Shape::footprint(&[[0.0, 0.0], [10.0, -4.0], [14.0, 6.0], [4.0, 10.0]], &[]).expect("a simple outline").seed(4)
 }
