@@ -86,11 +86,7 @@ const TOGETHER: &[&str] = &[
 ];
 
 /// Examples with bent faces, or slivers of a cut, whose triangles do not all look to the side of their face.
-const BENT: &[&str] = &[
-    "Boolean operations, mass modeling, adding tags",
-    "Shape recomposition, Random split",
-    "setNormals operation, inconsistent faces",
-];
+const BENT: &[&str] = &["Boolean operations, mass modeling, adding tags", "Shape recomposition, Random split"];
 
 #[test]
 fn the_examples_of_the_chapters_pass_the_gates() {
