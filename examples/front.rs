@@ -37,7 +37,7 @@ pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = model(&Settings::default())?;
     std::fs::create_dir_all("docs")?;
-    Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_png("docs/front.png")?;
+    Picture::new(1000, 700).looking_from(28.0, 14.0).render(&model).write_indexed_png("docs/front.png")?;
     println!("wrote docs/front.png");
     Ok(())
 }

@@ -20,7 +20,7 @@ pub(crate) fn model(settings: &Settings) -> Result<Model, Error> {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let model = model(&Settings::default())?;
     std::fs::create_dir_all("docs")?;
-    Picture::new(900, 560).looking_from(30.0, 12.0).render(&model).write_png("docs/house.png")?;
+    Picture::new(900, 560).looking_from(30.0, 12.0).render(&model).write_indexed_png("docs/house.png")?;
     println!("wrote docs/house.png with {} parts", model.len());
     Ok(())
 }

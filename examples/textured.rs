@@ -62,7 +62,8 @@ cga! {
     Joint    --> Lane
     Junction --> Lane
     Crossing --> Lane
-    Sidewalk --> tileUV(0, 1.8, 1.6) color("#cfc8bb") texture("slabs.png") extrude(world.up, 0.15) Pavement.
+    Sidewalk --> tileUV(0, 1.8, 1.6) color("#cfc8bb") texture("slabs.png") extrude(world.up, 0.15)
+                 modify(f) { side : setupProjection(0, scope.xy, 1.8, 1.6) projectUV(0) } Pavement.
 }
 
 /// A lot with a cut corner.

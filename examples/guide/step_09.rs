@@ -32,5 +32,6 @@ cga! {
     Cornice --> s(scope.sx + 0.4, ^1, scope.sz + 0.4) center(xz) color("#f6f0e4") comp(f) { top : Roof | all : Cornice. }
     Roof    --> roofGable(38, 0.5, 0.4) comp(f) { isTagged("roof.side") : Gable | isTagged("roof.bottom") : NIL | all : Plane }
     Gable   --> setupProjection(0, scope.xy, 1.8, 1.2) Wall
-    Plane   --> setupProjection(0, scope.xy, 2, 2) extrude(0.12) texture("tiles.png") projectUV(0) Tiles.
+    Plane   --> setupProjection(0, scope.xy, 2, 2) extrude(0.12) comp(f) { top : Tiled | all : color("#8a4231") Tiles. }
+    Tiled   --> texture("tiles.png") projectUV(0) Tiles.
 }

@@ -28,7 +28,7 @@ pub fn asphalt() -> Surface {
         Texel {
             color: shade(mix([196.0, 196.0, 200.0], [255.0, 252.0, 248.0], stone * tone), 50.0 * cloud),
             height: 4.0 * stone,
-            rough: 0.9,
+            rough: 0.95 - 0.2 * stone * tone,
         }
     };
     Surface { pixels: 256, size: [3000.0; 2], texel: Box::new(texel) }
@@ -61,7 +61,7 @@ pub fn leaves() -> Surface {
         let bright = 236.0 - 130.0 * depth - 40.0 * tone + 20.0 * rise;
         // Young leaves are yellower.
         let color = [bright + 12.0 * tone, bright + 14.0 * tone, bright - 50.0 * tone];
-        Texel { color, height: 14.0 * rise + 60.0 * (1.0 - depth), rough: 0.75 }
+        Texel { color, height: 14.0 * rise + 60.0 * (1.0 - depth), rough: 0.85 - 0.15 * rise }
     };
     Surface { pixels: 256, size: [1000.0; 2], texel: Box::new(texel) }
 }

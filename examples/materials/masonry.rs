@@ -37,7 +37,7 @@ pub fn brick() -> Surface {
         Texel {
             color: mix(mortar, clay, face),
             height: 5.0 * face + 1.5 * grain + 1.5 * tone * face,
-            rough: 0.95 - 0.1 * face,
+            rough: 0.95 - face * (0.1 + 0.12 * tone - 0.1 * grain),
         }
     };
     Surface { pixels: 512, size, texel: Box::new(texel) }
@@ -56,7 +56,7 @@ pub fn ashlar() -> Surface {
         Texel {
             color: mix([176.0, 170.0, 160.0], block, face),
             height: 8.0 * bevel + 2.0 * grain + 2.0 * cloud,
-            rough: 0.85,
+            rough: 0.95 - face * (0.14 + 0.1 * tone - 0.12 * grain),
         }
     };
     Surface { pixels: 512, size, texel: Box::new(texel) }
@@ -84,7 +84,11 @@ pub fn paving() -> Surface {
         let tone = random(69, stone, course) - 0.5;
         let face = smooth(3.0, 8.0, joint);
         let slab = shade([236.0, 233.0, 228.0], 34.0 * tone + 24.0 * grain + 24.0 * cloud);
-        Texel { color: mix([138.0, 132.0, 122.0], slab, face), height: 4.0 * face + 1.0 * grain, rough: 0.9 }
+        Texel {
+            color: mix([138.0, 132.0, 122.0], slab, face),
+            height: 4.0 * face + 1.0 * grain,
+            rough: 0.95 - face * (0.15 + 0.12 * cloud - 0.1 * grain),
+        }
     };
     Surface { pixels: 256, size, texel: Box::new(texel) }
 }

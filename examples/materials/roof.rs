@@ -26,7 +26,7 @@ pub fn tile() -> Surface {
         Texel {
             color: mix([92.0, 88.0, 84.0], color, edge),
             height: 34.0 * roll + 20.0 * (1.0 - up) * edge + 2.0 * grain,
-            rough: 0.85,
+            rough: 0.95 - edge * (0.16 + 0.14 * tone - 0.1 * grain),
         }
     };
     Surface { pixels: 256, size: [2000.0; 2], texel: Box::new(texel) }
@@ -44,7 +44,7 @@ pub fn slate() -> Surface {
         Texel {
             color: mix([84.0, 86.0, 90.0], color, edge),
             height: 12.0 * (1.0 - up) * edge + 1.5 * grain,
-            rough: 0.6 + 0.2 * grain,
+            rough: 0.9 - edge * (0.3 + 0.14 * tone - 0.2 * grain),
         }
     };
     Surface { pixels: 256, size: [2000.0; 2], texel: Box::new(texel) }

@@ -47,19 +47,20 @@ cga! {
     @StartRule
     Lot     --> split(x) { bank : Bank | ~1 : Water | bank : Bank }
                 s(scope.sx - 0.1, 0, width) center(xz) Bridge
-    Water   --> t(0, -bed, 0) setupProjection(0, world.xz, 6, 6) extrude(bed - 0.4) color(water) set(material.roughness, 0.12)
-                texture("water.png") set(material.normalmap, "water_normal.png") projectUV(0) Water.
-    Bank    --> [ t(0, -bed, 0) setupProjection(0, world.xz, 4, 4) extrude(bed + 1) color("#8ba567")
-                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Bank. ]
+    Water   --> t(0, -bed, 0) extrude(bed - 0.4) color(water) set(material.roughness, 0.12) texture("water.png") set(material.normalmap, "water_normal.png")
+                modify(f) { side : setupProjection(0, scope.xy, 6, 6) projectUV(0) | all : setupProjection(0, world.xz, 6, 6) projectUV(0) } Water.
+    // Grass above walls of stone.
+    Bank    --> [ t(0, -bed, 0) extrude(bed + 1) comp(f) { top : Grass | bottom : NIL | all : setupProjection(0, scope.xy, 2.7, 1.8) Stone } ]
                 t(0, 1, 0) split(z) { ^0.3 : Grove | ~1 : NIL | ^0.3 : Grove }
+    Grass   --> setupProjection(0, world.xz, 4, 4) color("#8ba567") texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Grass.
     Grove   --> scatter(surface, 7, uniform) { Tree(rand(3, 5.5)) }
     Tree(size) --> [ s(0.4, size * 0.6, 0.4) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4)
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, size * 0.45, 0) s(size, size * 1.1, size) center(xz) color(leaves) Crown(size)
-    // A crown is a ball with smaller ones on it.
-    Crown(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
-                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 9, uniform) { Bough(size) }
-    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(10, 7) Leafy(size)
+    // A crown is a ball with tufts of leaves on it.
+    Crown(size) --> [ s(^0.7, ^0.75, ^0.7) center(xyz) primitiveSphere(10, 7) Leafy(2 * size) ]
+                s(^0.76, ^0.74, ^0.76) center(xyz) primitiveSphere(10, 6) scatter(surface, 22, uniform) { Tuft(rand(0.26, 0.42) * size) }
+    Tuft(size) --> s(size, 0.8 * size, size) center(xyz) r(scopeCenter, rand(-30, 30), rand(0, 90), rand(-30, 30)) primitiveSphere(6, 4) Leafy(2 * size)
     Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 
     Bridge  --> [ split(x) { bank : Abutment | pier / 2 : Half | { ~span - pier : Arch | pier : Pier }* | pier / 2 : Half | bank : Abutment } ]
@@ -68,7 +69,7 @@ cga! {
     Abutment --> extrude(road) Masonry
     // Courses of stone that continue along the bridge; the vaults have their own.
     Masonry --> comp(f) { bottom : NIL | object.front : setupProjection(0, world.xy, 2.7, 1.8) Stone | object.back : setupProjection(0, world.xy, 2.7, 1.8) Stone | all : setupProjection(0, scope.xy, 2.7, 1.8) Stone }
-    Stone   --> color(stone) texture("stone.png") set(material.normalmap, "stone_normal.png") projectUV(0) Stone.
+    Stone   --> color(stone) texture("stone.png") set(material.normalmap, "stone_normal.png") set(material.roughnessmap, "stone_rough.png") projectUV(0) Stone.
 
     // A span is a block minus a cylinder across it; a ring of cut stones marks the arch on both sides.
     Arch    --> [ subtract { t(0, springing, 0) extrude(road - springing) | Tube(0) } Masonry ]
@@ -90,13 +91,13 @@ cga! {
                 t(0, 0.2, 0) split(x) { 0.8 : Post | { ~6 : split(x) { { ~0.55 : Baluster }* } | 0.8 : Post }* }
     Post    --> extrude(0.85) Post.
     Baluster --> s(0.22, 0.75, 0.22) center(xz) primitiveCylinder(8) Baluster.
-    Walk    --> [ setupProjection(0, world.xz, 1.8, 1.6) extrude(0.15) color("#cfc8ba")
-                texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Walk. ]
+    Walk    --> [ extrude(0.15) color("#cfc8ba") texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 1.8, 1.6) projectUV(0) | all : setupProjection(0, world.xz, 1.8, 1.6) projectUV(0) } Walk. ]
                 t(0, 0.15, 0) split(x) { ~lamps / 2 : NIL | { 0.2 : Lamp | ~lamps : NIL }* | 0.2 : Lamp | ~lamps / 2 : NIL }
     Lamp    --> color("#3b4245") [ s(0.16, 4, 0.16) center(xz) primitiveCylinder(8) Pole. ]
                 t(0, 4, 0) s(0.55, 0.6, 0.55) center(xz) primitiveSphere(10, 8) color("#fbeecb") Light.
-    Road    --> [ setupProjection(0, world.xz, 3, 3) extrude(0.05) color("#77787c")
-                texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") projectUV(0) Asphalt. ]
+    Road    --> [ extrude(0.05) color("#77787c") texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") set(material.roughnessmap, "asphalt_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 3, 3) projectUV(0) | all : setupProjection(0, world.xz, 3, 3) projectUV(0) } Asphalt. ]
                 t(0, 0.07, 0) s(^1, 0, 0.14) center(z) split(x) { { 2 : color("#f2efe6") Mark. | ~2.5 : NIL }* }
 }
 

@@ -37,12 +37,12 @@ cga! {
     // The lot is the outline of the house; sidewalk and street lie around it.
     @StartRule
     Lot     --> [ t(0, -0.15, 0) offset(sidewalk + 7, border) reverseNormals Ground("#737478", "asphalt", 3, 3) ]
-                [ t(0, -0.15, 0) offset(sidewalk, border) reverseNormals extrude(0.1) color("#b5ada0") Kerb. ]
-                [ t(0, -0.15, 0) offset(sidewalk - 0.25, border) reverseNormals extrude(0.15) Ground("#cbc3b5", "paving", 1.8, 1.6) ]
+                [ t(0, -0.15, 0) offset(sidewalk, border) reverseNormals extrude(0.14) color("#b5ada0") Kerb. ]
+                [ offset(sidewalk - 0.25, border) reverseNormals Ground("#cbc3b5", "paving", 1.8, 1.6) ]
                 [ offset(sidewalk - 0.5, border) comp(v) { all : case comp.index == 1 || comp.index == 2 : Lamp else : NIL } ]
                 extrude(ground + storeys * storey + 1.05) comp(f) { side : Facade | top : Attic }
     Ground(tint, material, u, v) --> setupProjection(0, world.xz, u, v) Look(tint, material)
-    Look(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") projectUV(0) Surface.
+    Look(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") set(material.roughnessmap, material + "_rough.png") projectUV(0) Surface.
     Lamp    --> alignScopeToAxes(y) color(iron) [ s(0.14, 4.6, 0.14) center(xz) primitiveCylinder(10) Pole. ]
                 t(0, 4.6, 0) s(0.45, 0.55, 0.45) center(xz) primitiveSphere(12, 8) color("#fff2cf") Light.
 
@@ -70,7 +70,7 @@ cga! {
 
     // Shops of wood and glass below awnings, with a door in every third.
     Shops   --> split(x) { 0.6 : Pier | { ~3.6 : Shop(split.index) | 0.6 : Pier }* }
-    Pier    --> extrude(0.15) Look(stone, "stone")
+    Pier    --> extrude(0.15) comp(f) { top : Wall | bottom : NIL | all : setupProjection(0, scope.xy, 2.7, 1.8) Wall }
     Shop(n) --> color(case n % 4 == 2 : "#39453f" else : "#4a2f2a") [ Recess(0.35) ] t(0, 0, -0.35)
                 split(y) { ~1 : Front(n) | 0.7 : Sign }
     Front(n) --> [ case n % 3 == 0 : NIL else : t(0, ^1, 0.35) Awning ] split(x) { 0.12 : Timber | { ~1.1 : split(y) { 0.6 : Timber | ~1 : color("#4a5f68") Glass | 0.1 : Timber } | 0.12 : Timber }* }

@@ -40,8 +40,8 @@ cga! {
 
     @StartRule
     Block   --> Pavement offset(-3, inside) Plot
-    Pavement --> setupProjection(0, world.xz, 1.8, 1.6) extrude(0.15) color("#d6cfc2")
-                texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Pavement.
+    Pavement --> extrude(0.15) color("#d6cfc2") texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 1.8, 1.6) projectUV(0) | all : setupProjection(0, world.xz, 1.8, 1.6) projectUV(0) } Pavement.
     Plot    --> t(0, 0.15, 0) shapeO(depth, depth, depth, depth) { shape : Ring | remainder : Court }
 
     // One mass and one roof for the whole ring, with chimneys along the ridge.
@@ -49,7 +49,7 @@ cga! {
                 t(0, eaves, 0) roofHip(slope, 0.5) Roof
     Roof    --> [ comp(e) { ridge : alignScopeToAxes(y) Ridge } ] comp(f) { bottom : color("#efe6d4") Eaves. | all : Slope }
     Slope   --> [ setupProjection(0, scope.xy, 2, 2) color(tiles)
-                texture("tile.png") set(material.normalmap, "tile_normal.png") projectUV(0) Tiles. ] Skylights
+                texture("tile.png") set(material.normalmap, "tile_normal.png") set(material.roughnessmap, "tile_rough.png") projectUV(0) Tiles. ] Skylights
     Skylights -->
                 split(x) { ~depth : NIL | { ~6 : split(x) { ~1 : NIL | 1.1 : split(y) { ^0.3 : NIL | 1.5 : Skylight | ~1 : NIL } | ~1 : NIL } }* | ~depth : NIL }
     Ridge   --> split(x) { { ~house : Chimney }* }
@@ -78,26 +78,27 @@ cga! {
     Shop    --> 62% : split(x) { 0.35 : Pier | ~1 : Display | 0.35 : Pier }
                 26% : split(x) { ~1 : Pier | 1.5 : Door | ~1 : Pier }
                 else : Floor(shutter)
-    Pier    --> setupProjection(0, scope.xy, 2.7, 1.8) color("#e0d6c4") extrude(0.1)
-                texture("stone.png") set(material.normalmap, "stone_normal.png") projectUV(0) Pier.
+    Pier    --> setupProjection(0, scope.xy, 2.7, 1.8) color("#e0d6c4") extrude(0.1) comp(f) { top : Stone | bottom : NIL | all : Pier. }
+    Stone   --> texture("stone.png") set(material.normalmap, "stone_normal.png") set(material.roughnessmap, "stone_rough.png") projectUV(0) Stone.
     Display --> split(y) { 0.5 : Pier | ~1 : [ Recess(0.25) ] t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
     Awning  --> color(awning) roofShed(20) Awning.
     awning = 40% : "#a8473c" 30% : "#3f6b62" else : "#d8b15a"
     Door    --> split(y) { 0.1 : Pier | 2.5 : [ Recess(0.25) ] t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
 
     // Gravel along the walls, grass in the middle.
-    Court   --> [ setupProjection(0, world.xz, 3, 3) extrude(0.1) color("#dccfb6")
-                texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") projectUV(0) Gravel. ]
-                t(0, 0.1, 0) offset(-4, inside) [ setupProjection(0, world.xz, 4, 4) extrude(0.15) color(grass) texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
+    Court   --> [ extrude(0.1) color("#dccfb6") texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") set(material.roughnessmap, "asphalt_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 3, 3) projectUV(0) | all : setupProjection(0, world.xz, 3, 3) projectUV(0) } Gravel. ]
+                t(0, 0.1, 0) offset(-4, inside) [ extrude(0.15) color(grass) texture("grass.png") set(material.normalmap, "grass_normal.png")
+                modify(f) { side : setupProjection(0, scope.xy, 4, 4) projectUV(0) | all : setupProjection(0, world.xz, 4, 4) projectUV(0) } Lawn. ]
                 offset(-3, inside) scatter(surface, trees, uniform) { Tree }
     Tree    --> [ s(0.4, 2.6, 0.4) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 3)
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, 2, 0) Crown(rand(3.4, 5.4))
-    // A crown is a ball with smaller ones on it.
+    // A crown is a ball with tufts of leaves on it.
     Crown(size) --> color(leaves) s(size, size, size) center(xz) Balls(size)
-    Balls(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
-                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 9, uniform) { Bough(size) }
-    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(10, 7) Leafy(size)
+    Balls(size) --> [ s(^0.7, ^0.75, ^0.7) center(xyz) primitiveSphere(10, 7) Leafy(2 * size) ]
+                s(^0.76, ^0.74, ^0.76) center(xyz) primitiveSphere(10, 6) scatter(surface, 22, uniform) { Tuft(rand(0.26, 0.42) * size) }
+    Tuft(size) --> s(size, 0.8 * size, size) center(xyz) r(scopeCenter, rand(-30, 30), rand(0, 90), rand(-30, 30)) primitiveSphere(6, 4) Leafy(2 * size)
     Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 }
 

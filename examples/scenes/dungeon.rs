@@ -35,7 +35,7 @@ cga! {
 
     // Each corridor begins and ends at an earlier one, so all rooms are connected. A room has doors to the sides with a corridor.
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 1.8, 1.6) extrude(0.3) Stone(floor, "paving") ]
+    Lot     --> [ t(0, -0.3, 0) extrude(0.3) comp(f) { top : setupProjection(0, world.xz, 1.8, 1.6) Stone(floor, "paving") | bottom : NIL | all : setupProjection(0, scope.xy, 2, 1.4) Stone(stone, "stone") } ]
                 Part(0, false, false, false, false)
     Part(n, left, right, back, front) -->
         case n < divisions && scope.sx >= scope.sz && scope.sx > 2 * least + corridor :
@@ -52,7 +52,7 @@ cga! {
     Wall    --> extrude(height) comp(f) { bottom : NIL | all : setupProjection(0, scope.xy, 2, 1.4) Stone(stone, "stone") }
     Post    --> extrude(height + 0.25) color("#b3aa9b") Post.
     Doorway --> t(0, height - 0.1, 0) extrude(0.35) color("#b3aa9b") Lintel.
-    Stone(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") projectUV(0) Stone.
+    Stone(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") set(material.roughnessmap, material + "_rough.png") projectUV(0) Stone.
 
     // Torches on the floor of every room, and one of four things.
     Room    --> [ offset(-0.5, inside) comp(v) { all : Torch } ]
@@ -74,8 +74,8 @@ cga! {
     Chest   --> Chest. comp(f) { top : roofGable(35, 0.06) color("#6e4a2c") Lid. }
     Coin    --> s(0.16, rand(0.03, 0.12), 0.16) center(xz) primitiveCylinder(8) color("#e8bd46") set(material.metallic, 0.8) set(material.roughness, 0.3) Coin.
     Pool    --> [ offset(-0.35, border) extrude(0.35) color("#b3aa9b") Rim. ]
-                offset(-0.35, inside) setupProjection(0, world.xz, 6, 6) extrude(0.2)
-                color("#4f7f74") texture("water.png") set(material.normalmap, "water_normal.png") set(material.roughness, 0.1) projectUV(0) Water.
+                offset(-0.35, inside) extrude(0.2) color("#4f7f74") texture("water.png") set(material.normalmap, "water_normal.png") set(material.roughness, 0.1)
+                modify(f) { side : setupProjection(0, scope.xy, 6, 6) projectUV(0) | all : setupProjection(0, world.xz, 6, 6) projectUV(0) } Water.
     Tombs   --> split(x) { { ~2.4 : split(z) { { ~3.8 : Tomb }* } }* }
     Tomb    --> s(1, 0, 2) center(xz) [ extrude(0.7) color("#a49b8e") Tomb. ] t(-0.08, 0.7, -0.08) s(1.16, 0, 2.16) extrude(0.16) color("#beb6a8") Slab.
     Pillars --> split(x) { 0.8 : Row | { ~2.4 : NIL | 0.8 : Row }* }

@@ -43,12 +43,12 @@ cga! {
     petals = 30% : "#d65a6c" 30% : "#e8c14a" 20% : "#8f6bb0" else : "#f2efe6"
 
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 4, 4) extrude(0.3) color("#86a862")
-                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
+    Lot     --> [ t(0, -0.3, 0) extrude(0.3) comp(f) { top : Lawn | bottom : NIL | all : color("#7b6248") Soil. } ]
                 [ split(x) { ~1 : NIL | gate : Path | ~1 : NIL } ]
                 [ offset(-0.9) comp(f) { border : Bed(comp.index) | inside : NIL } ]
                 [ t(^0.2, 0, ^0.35) Tree(3.2) ] [ t(^0.76, 0, ^0.3) Tree(2.4) ]
                 comp(fe) { front : Entrance | left : Side(left) | right : Side(right) | back : Side(back) }
+    Lawn    --> setupProjection(0, world.xz, 4, 4) color("#86a862") texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn.
     Tree(size) --> s(size, 0, size) [ s(0.24, size * 0.7, 0.24) center(xz) primitiveCylinder(8) scaleUV(0, 1, 3) color("#8a6d50")
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, size * 0.5, 0) s(^1, size * 0.9, ^1) primitiveSphere(10, 6) scatter(volume, 45, uniform) { Bush(size * rand(0.25, 0.4)) }
@@ -87,8 +87,8 @@ cga! {
     Rail    --> color("#7d5a3c") s(^1, ^1, 0.14) center(z) Rail.
 
     // A hedge and a crown are full of small spheres.
-    Hedge   --> s(^1, ^0.8, 0.7) center(z) [ s(^1, ^0.9, ^0.7) center(xz) setupProjection(0, scope.xy, 1, 1) color("#6f9656")
-                texture("leaves.png") set(material.normalmap, "leaves_normal.png") projectUV(0) Hedge. ]
+    Hedge   --> s(^1, ^0.8, 0.7) center(z) [ s(^1, ^0.9, ^0.7) center(xz) color("#6f9656") texture("leaves.png") set(material.normalmap, "leaves_normal.png")
+                modify(f) { all : setupProjection(0, scope.xy, 1, 1) projectUV(0) } Hedge. ]
                 scatter(volume, rint(scope.sx * 14), uniform) { Bush(rand(0.25, 0.45)) }
     Bush(size) --> s(size, size, size) center(xyz) primitiveSphere(7, 5) scaleUV(0, 2.5 * size, 1.2 * size) color(leaves)
                 texture("leaves.png") set(material.normalmap, "leaves_normal.png") Leaves.

@@ -37,8 +37,8 @@ cga! {
     petals = 30% : "#d65a6c" 30% : "#e8c14a" 20% : "#8f6bb0" else : "#f2efe6"
 
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) setupProjection(0, world.xz, 3, 3) extrude(0.3) color(gravel)
-                texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") projectUV(0) Gravel. ]
+    Lot     --> [ t(0, -0.3, 0) extrude(0.3) color(gravel) texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") set(material.roughnessmap, "asphalt_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 3, 3) projectUV(0) | all : setupProjection(0, world.xz, 3, 3) projectUV(0) } Gravel. ]
                 [ subtract { offset(-width, inside) | Ways(scope.sx + scope.sz) } comp(f) { all : Lawn } ]
                 Middle
     // A disk for the square and strips for the paths: their area is cut out of the lawn.
@@ -47,8 +47,8 @@ cga! {
                 else : [ s(length, 0, width) center(xz) r(scopeCenter, 0, 180 * n / paths + 15, 0) primitiveQuad Way. ] Path(length, n - 1)
 
     // Each piece of lawn has a kerb and trees that keep away from it.
-    Lawn    --> alignScopeToAxes(y) [ offset(-0.25) comp(f) { border : extrude(0.28) color("#b9ad97") Kerb. | inside : setupProjection(0, world.xz, 4, 4) extrude(0.22) color(grass)
-                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. } ]
+    Lawn    --> alignScopeToAxes(y) [ offset(-0.25) comp(f) { border : extrude(0.28) color("#b9ad97") Kerb. | inside : extrude(0.22) color(grass) texture("grass.png") set(material.normalmap, "grass_normal.png")
+                modify(f) { side : setupProjection(0, scope.xy, 4, 4) projectUV(0) | all : setupProjection(0, world.xz, 4, 4) projectUV(0) } Lawn. } ]
                 t(0, 0.22, 0) Planted
     Planted --> case geometry.area < 60 : NIL
                 else : [ offset(-3.5, inside) scatter(surface, ceil(density * geometry.area / 100), uniform) { Tree(rand(0.7, 1.2)) } ]
@@ -66,17 +66,18 @@ cga! {
     Oak     --> [ s(0.5, ^0.4, 0.5) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 3)
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, ^0.28, 0) s(^1, ^0.72, ^1) Balls
-    Balls   --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(9) ]
-                s(^0.72, ^0.6, ^0.72) center(xyz) primitiveSphere(10, 6) scatter(surface, 8, uniform) { Bough }
-    Bough   --> s(2.4, 2, 2.4) center(xyz) primitiveSphere(9, 6) Leafy(5)
+    // A crown is a ball with tufts of leaves on it.
+    Balls   --> [ s(^0.7, ^0.75, ^0.7) center(xyz) primitiveSphere(10, 7) Leafy(9) ]
+                s(^0.78, ^0.66, ^0.78) center(xyz) primitiveSphere(10, 6) scatter(surface, 20, uniform) { Tuft(rand(1.5, 2.5)) }
+    Tuft(size) --> s(size, 0.8 * size, size) center(xyz) r(scopeCenter, rand(-30, 30), rand(0, 90), rand(-30, 30)) primitiveSphere(6, 4) Leafy(2 * size)
     Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 
     // The square: a pond with a rim and a fountain, flower beds and benches around it.
     Middle  --> s(2 * square, 0, 2 * square) center(xz)
                 [ s(^0.62, 0, ^0.62) center(xz) primitiveDisk(48) Pond ]
                 s(^0.84, 0, ^0.84) center(xz) primitiveDisk(24) comp(e) { all : Around(comp.index) }
-    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) setupProjection(0, world.xz, 6, 6)
-                texture("water.png") set(material.normalmap, "water_normal.png") projectUV(0) Water. ] [ offset(0.6, border) reverseNormals extrude(0.5) color("#cfc3ad") Rim. ]
+    Pond    --> [ extrude(0.25) color(water) set(material.roughness, 0.08) texture("water.png") set(material.normalmap, "water_normal.png")
+                modify(f) { side : setupProjection(0, scope.xy, 6, 6) projectUV(0) | all : setupProjection(0, world.xz, 6, 6) projectUV(0) } Water. ] [ offset(0.6, border) reverseNormals extrude(0.5) color("#cfc3ad") Rim. ]
                 [ s(5, 0.7, 5) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]
                 [ s(0.8, 2.4, 0.8) center(xz) primitiveCylinder(12) color("#cfc3ad") Stem. ]
                 [ t(0, 2.4, 0) s(2.6, 0.35, 2.6) center(xz) primitiveCylinder(24) color("#cfc3ad") Basin. ]

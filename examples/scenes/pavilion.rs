@@ -37,12 +37,12 @@ cga! {
 
     const podium = 0.9
     tone = 40% : travertine 35% : "#d5c6aa" else : "#e3d8c2"
-    leaves = 50% : "#7da25e" else : "#98bd70"
+    leaves = 35% : "#7da25e" 30% : "#8ab065" else : "#98bd70"
 
     @StartRule
-    Lot     --> [ setupProjection(0, world.xz, 4, 4) extrude(0.2) color("#8fae69")
-                  texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
+    Lot     --> [ extrude(0.2) comp(f) { top : Lawn | bottom : NIL | all : color("#7b6248") Soil. } ]
                 t(0, 0.2, 0) [ Trees ] offset(-4, inside) Terrace
+    Lawn    --> setupProjection(0, world.xz, 4, 4) color("#8fae69") texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn.
     Trees   --> split(z) { 4 : split(x) { { ~7 : scatter(surface, 2, uniform) { Tree } }* } | ~1 : NIL }
 
     // Steps, the pool and the building on one podium.
@@ -79,11 +79,11 @@ cga! {
     Chair   --> split(x) { { 0.8 : s(^1, 0.42, ^1) primitiveCube color("#f7f4ec") Cushion. | 0.25 : NIL }* }
     Tree    --> [ s(0.35, 3, 0.35) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4)
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ] t(0, 2.2, 0) Crown(rand(3, 4.6))
-    // A crown is a ball with smaller ones on it.
-    Crown(size) --> s(size, size * 1.1, size) center(xz) color(leaves) Balls(size)
-    Balls(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
-                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 9, uniform) { Bough(size) }
-    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(10, 7) Leafy(size)
+    // A crown is a ball with tufts of leaves on it.
+    Crown(size) --> s(size, size * 1.1, size) center(xz) Balls(size)
+    Balls(size) --> [ s(^0.7, ^0.75, ^0.7) center(xyz) primitiveSphere(10, 7) color("#6f9352") Leafy(2 * size) ]
+                s(^0.76, ^0.74, ^0.76) center(xyz) primitiveSphere(10, 6) scatter(surface, 22, uniform) { Tuft(rand(0.26, 0.42) * size) }
+    Tuft(size) --> s(size, 0.8 * size, size) center(xyz) r(scopeCenter, rand(-30, 30), rand(0, 90), rand(-30, 30)) primitiveSphere(6, 4) color(leaves) Leafy(2 * size)
     Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 }
 

@@ -47,7 +47,8 @@ cga! {
     height(n) = case n < upper : top - n * rise else : below - (n - upper) * rise / 2
 
     @StartRule
-    Lot     --> [ setupProjection(0, world.xz, 3.6, 3.2) extrude(0.2) color("#dad5ca") texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Plaza. ]
+    Lot     --> [ extrude(0.2) color("#dad5ca") texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 3.6, 3.2) projectUV(0) | all : setupProjection(0, world.xz, 3.6, 3.2) projectUV(0) } Plaza. ]
                 t(0, 0.2, 0) s(scope.sx - 24, 0, scope.sz - 24) center(xz) primitiveDisk(sides) deleteUV(0) Oval
     Oval    --> Row(0)
                 [ extrude(top + 1) comp(f) { side : Facade(comp.index) | all : NIL } ]

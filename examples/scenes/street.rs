@@ -42,7 +42,7 @@ cga! {
     @StartRule
     Street  --> label("street") [ Asphalt ]
                 t(0, above, 0) split(u, unitSpace, 0) { 1.2 : NIL | 3 : Zebra | 1 : NIL | ~1 : Lanes | 1 : NIL | 3 : Zebra | 1.2 : NIL }
-    Asphalt --> tileUV(0, 3, 3) color(asphalt) texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") Roadway.
+    Asphalt --> tileUV(0, 3, 3) color(asphalt) texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") set(material.roughnessmap, "asphalt_rough.png") Roadway.
     Zebra   --> color(paint) split(v, unitSpace, 0) { 0.4 : NIL | { ~0.55 : Marking. | ~0.55 : NIL }* | 0.4 : NIL }
     Lanes   --> case scope.sz > 9 :
                     split(v, unitSpace, 0) { 2.3 : Parking | 0.12 : Line | ~1 : Traffic | 0.14 : Dashes | ~1 : Traffic | 0.12 : Line | 2.3 : Parking }
@@ -71,8 +71,8 @@ cga! {
 
     // Trees and lamps alternate along the kerb.
     @StartRule
-    Sidewalk --> [ tileUV(0, 1.8, 1.6) extrude(world.up, kerb) color(paving)
-                texture("paving.png") set(material.normalmap, "paving_normal.png") Pavement. ]
+    Sidewalk --> [ tileUV(0, 1.8, 1.6) extrude(world.up, kerb) color(paving) texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 1.8, 1.6) projectUV(0) } Pavement. ]
                 t(0, kerb, 0) split(v, unitSpace, 0) { 0.4 : NIL | 1.2 : Furniture | ~1 : NIL }
     Furniture --> split(u, unitSpace, 0) { ~spacing / 2 : NIL | { 1.2 : Tree | ~spacing : NIL | 0.2 : Lamp | ~spacing : NIL }* | ~1 : NIL }
     Tree    --> [ color("#7b6a52") t(0, 0.02, 0) Pit. ] Room(rand(2.8, 3.8))
@@ -81,10 +81,10 @@ cga! {
     Plant(size) --> case overlaps(inter, "house") : NIL
                 else : [ s(0.3, 3.2, 0.3) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4) texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                        t(0, 2.4, 0) color(leaves) s(^1, size * 1.2, ^1) Crown(size)
-    // A crown is a ball with smaller ones on it.
-    Crown(size) --> [ s(^0.8, ^0.85, ^0.8) center(xyz) primitiveSphere(12, 8) Leafy(2 * size) ]
-                s(^0.7, ^0.65, ^0.7) center(xyz) primitiveSphere(10, 6) scatter(surface, 7, uniform) { Bough(size) }
-    Bough(size) --> s(0.45 * size, 0.38 * size, 0.45 * size) center(xyz) primitiveSphere(9, 6) Leafy(size)
+    // A crown is a ball with tufts of leaves on it.
+    Crown(size) --> [ s(^0.7, ^0.75, ^0.7) center(xyz) primitiveSphere(10, 7) Leafy(2 * size) ]
+                s(^0.76, ^0.74, ^0.76) center(xyz) primitiveSphere(10, 6) scatter(surface, 14, uniform) { Tuft(rand(0.28, 0.44) * size) }
+    Tuft(size) --> s(size, 0.8 * size, size) center(xyz) r(scopeCenter, rand(-30, 30), rand(0, 90), rand(-30, 30)) primitiveSphere(6, 4) Leafy(2 * size)
     Leafy(n) --> scaleUV(0, n, n / 2) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
     Lamp    --> color("#3b4245") [ s(0.16, 5.5, 0.16) center(xz) primitiveCylinder(8) Pole. ]
                 t(0, 5.5, 0) s(0.6, 0.35, 0.6) center(xz) primitiveSphere(10, 6) color("#fbeecb") Light.
@@ -93,7 +93,7 @@ cga! {
     House   --> t(0, kerb, 0) color(plaster) Storeys(rint(rand(storeys / 2, storeys)), slate)
     Storeys(n, roof) --> [ extrude(4 + 3.1 * n) label("house") comp(f) { bottom : NIL | top : Roof(roof) | all : setupProjection(0, scope.xy, 2.4, 2.4) Side } ]
     Roof(tint) --> roofGable(38, 0.5, 0, true, 0) label("house") comp(f) { isTagged("roof.side") : setupProjection(0, scope.xy, 2.4, 2.4) Wall | all : setupProjection(0, scope.xy, 2, 2) color(tint)
-                texture("tile.png") set(material.normalmap, "tile_normal.png") projectUV(0) Roof. }
+                texture("tile.png") set(material.normalmap, "tile_normal.png") set(material.roughnessmap, "tile_rough.png") projectUV(0) Roof. }
     Wall    --> texture("plaster.png") set(material.normalmap, "plaster_normal.png") projectUV(0) Wall.
     // A side faces a street if three metres ahead are nearer to it.
     Side    --> Ahead(toStreet)
@@ -117,11 +117,11 @@ cga! {
 
     // The ground of a block, as high as the sidewalks around it.
     @StartRule
-    Yard    --> setupProjection(0, world.xz, 1.8, 1.6) extrude(kerb - 0.01) color(paving)
-                texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Yard.
+    Yard    --> extrude(kerb - 0.01) color(paving) texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, 1.8, 1.6) projectUV(0) | all : setupProjection(0, world.xz, 1.8, 1.6) projectUV(0) } Yard.
     @StartRule
-    Green   --> [ setupProjection(0, world.xz, 4, 4) extrude(kerb - 0.03) color("#8dab66")
-                texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Lawn. ]
+    Green   --> [ extrude(kerb - 0.03) color("#8dab66") texture("grass.png") set(material.normalmap, "grass_normal.png")
+                modify(f) { side : setupProjection(0, scope.xy, 4, 4) projectUV(0) | all : setupProjection(0, world.xz, 4, 4) projectUV(0) } Lawn. ]
                 t(0, kerb, 0) offset(-3, inside) scatter(surface, 16, uniform) { Tree }
 }
 

@@ -68,12 +68,12 @@ cga! {
     Frieze  --> split(x) { foot * 0.5 : Triglyph | { ~foot * (spacing / 2 - 0.5) : color("#f3ecdd") Metope. | foot * 0.5 : Triglyph }* }
     Triglyph --> color(paint) [ Ground. ] extrude(foot * 0.08) split(x) { ~1 : Glyph. | ~0.6 : NIL | ~1 : Glyph. | ~0.6 : NIL | ~1 : Glyph. }
     Roof    --> comp(f) { vertical : Pediment | bottom : Soffit. | all : setupProjection(0, scope.xy, 2, 2) color(tiles) extrude(foot * 0.1)
-                texture("tile.png") set(material.normalmap, "tile_normal.png") projectUV(0) Tiles. }
+                texture("tile.png") set(material.normalmap, "tile_normal.png") set(material.roughnessmap, "tile_rough.png") modify(f) { top : projectUV(0) | all : setupProjection(0, scope.xy, 2, 2) projectUV(0) } Tiles. }
     Pediment --> [ offset(-foot * 0.3, border) extrude(foot * 0.25) Geison. ] color("#9c4f42") Tympanum.
 
     // The walls of the cella, with a door at the front.
     Cella   --> extrude(column) comp(f) { front : Porch | side : Wall | all : NIL }
-    Wall    --> setupProjection(0, scope.xy, 2.7, 1.8) texture("stone.png") set(material.normalmap, "stone_normal.png") projectUV(0) Wall.
+    Wall    --> setupProjection(0, scope.xy, 2.7, 1.8) texture("stone.png") set(material.normalmap, "stone_normal.png") set(material.roughnessmap, "stone_rough.png") projectUV(0) Wall.
     Porch   --> split(x) { ~1 : Wall | ^0.32 : split(y) { ^0.72 : Door | ~1 : Wall } | ~1 : Wall }
     Door    --> offset(-foot * 0.2)
                 comp(f) { border : extrude(foot * 0.12) Frame. | inside : [ Recess(0.4) ] t(0, 0, -0.4) color("#6d4a2e") split(x) { ~1 : Leaf. | 0.06 : extrude(0.05) Leaf. | ~1 : Leaf. } }

@@ -69,9 +69,11 @@ cga! {
     Front  --> split(x) { 0.1 : Mullion | ~1 : split(y) { ~1 : color("#3f5660") set(material.roughness, 0.08) Glass. | 0.12 : Mullion }* }
     Column --> alignScopeToAxes(y) s(0.9, lobby, 0.9) t(0, 0, -1.6) primitiveCylinder(16) color(concrete) Column.
 
-    Plaza  --> setupProjection(0, world.xz, 3.6, 3.2) Paving(0.3, "#e0dace")
+    Plaza  --> Paving(0.3, "#e0dace")
                t(0, 0.3, 0) s(^0.8, 0, ^0.6) center(xz) primitiveDisk(48) Paving(0.2, "#cec6b8")
-    Paving(height, tint) --> extrude(height) color(tint) texture("paving.png") set(material.normalmap, "paving_normal.png") projectUV(0) Paving.
+    // The image lies on the top; the sides have it from the side.
+    Paving(height, tint) --> extrude(height) color(tint) texture("paving.png") set(material.normalmap, "paving_normal.png") set(material.roughnessmap, "paving_rough.png")
+               modify(f) { side : setupProjection(0, scope.xy, 3.6, 3.2) projectUV(0) | all : setupProjection(0, world.xz, 3.6, 3.2) projectUV(0) } Paving.
 }
 
 pub fn scene() -> Scene<()> {

@@ -44,8 +44,8 @@ cga! {
     Yard    --> Lawn
     Lawn    --> Paved(0.12, "#8aa862", "grass", 4, 4)
     Paved(height, tint, material, u, v) -->
-                extrude(height) setupProjection(0, world.xz, u, v) Textured(tint, material)
-    Textured(tint, material) --> color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") projectUV(0) Textured.
+                extrude(height) color(tint) texture(material + ".png") set(material.normalmap, material + "_normal.png") set(material.roughnessmap, material + "_rough.png")
+                modify(f) { side : setupProjection(0, scope.xy, u, v) projectUV(0) | all : setupProjection(0, world.xz, u, v) projectUV(0) } Paved.
     Building --> extrude(plinth + storeys * storey + 0.8)
                 comp(f) { front : Face(true) | back : Face(false) | side : setupProjection(0, scope.xy, 1.8, 1.2) Wall | top : Attic }
     // The bricks of a face continue around its openings.
@@ -59,13 +59,13 @@ cga! {
     BaySide --> split(y) { plinth : Base | ~1 : Bays }
     Bays    --> case hasBay : split(y) { (scope.sy - storey) : split(x) { ~1 : Plain | ^0.7 : Bay | ~1 : Plain } | ~1 : Floor }
                 else        : Storeys
-    Base    --> setupProjection(0, scope.xy, 2.7, 1.8) color(stone) extrude(0.12)
-                texture("stone.png") set(material.normalmap, "stone_normal.png") projectUV(0) Base.
+    Base    --> color(stone) extrude(0.12) texture("stone.png") set(material.normalmap, "stone_normal.png") set(material.roughnessmap, "stone_rough.png")
+                modify(f) { all : setupProjection(0, scope.xy, 2.7, 1.8) projectUV(0) } Base.
     Storeys --> split(y) { { ~storey : Floor }* }
     Floor   --> split(y) { ~1 : split(x) { { ~0.6 : Wall | window : Opening | ~0.6 : Wall }* } | 0.16 : String }
     Plain   --> split(y) { { ~storey - 0.16 : Wall | 0.16 : String }* }
     String  --> color(stone) extrude(0.08) Band.
-    Wall    --> texture("brick_" + brick + ".png") set(material.normalmap, "brick_normal.png") projectUV(0) Wall.
+    Wall    --> texture("brick_" + brick + ".png") set(material.normalmap, "brick_normal.png") set(material.roughnessmap, "brick_rough.png") projectUV(0) Wall.
 
     // An opening has a sill, a lintel with a keystone, and a sash window deep in the wall.
     Opening --> split(y) { ^0.22 : Wall | 0.12 : Sill | ~1 : Window | 0.28 : Lintel | ^0.12 : Wall }
@@ -105,7 +105,7 @@ cga! {
     Brickwork --> comp(f) { top : color(stone) extrude(0.08) Coping. | bottom : NIL | all : setupProjection(0, scope.xy, 1.8, 1.2) Wall }
     Mansard --> envelope(normal, 2.9, 0, 68, 0, 68, 0, 90)
                 comp(f) { bottom : NIL | top : color("#8b8d8f") Flat. | object.front : Slope | all : Slate }
-    Slate   --> setupProjection(0, scope.xy, 2, 2) color(slate) texture("slate.png") set(material.normalmap, "slate_normal.png") projectUV(0) Slate.
+    Slate   --> setupProjection(0, scope.xy, 2, 2) color(slate) texture("slate.png") set(material.normalmap, "slate_normal.png") set(material.roughnessmap, "slate_rough.png") projectUV(0) Slate.
     Slope   --> [ Slate ] split(x) { { ~1 : NIL | window : Dormer | ~1 : NIL }* }
     Dormer  --> alignScopeToAxes(y) t(0, 0.45, 0.1) s(^1, 1.6, 1.05) primitiveCube
                 comp(f) { front : DormerFront | side : Reveal | top : color(slate) roofGable(35, 0.1) DormerRoof. }

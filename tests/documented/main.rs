@@ -28,6 +28,7 @@ mod roof_forms;
 mod roofs;
 mod scattered;
 mod scenes;
+mod scope_chapter;
 mod scopes;
 mod selectors;
 mod setbacks;
@@ -154,6 +155,7 @@ fn all() -> Vec<Example> {
         pages::mass::ALL,
         pages::recompose::ALL,
         pages::scattering::ALL,
+        pages::scope::ALL,
         pages::setback::ALL,
         pages::mesh_operations::ALL,
         pages::normals::ALL,

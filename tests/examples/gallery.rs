@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::create_dir_all(folder.join(chapter.name))?;
         fs::write(folder.join(chapter.name).with_extension("md"), chapter.markdown())?;
         for (number, cell) in chapter.cells.iter().enumerate() {
-            let picture = cell.picture().to_png()?;
+            let picture = cell.picture().to_indexed_png()?;
             let path = folder.join(chapter.picture(number));
             let other = drawn.iter().find(|(_, known)| *known == picture).map(|(title, _)| *title);
             if other != same::original(cell.title) {

@@ -87,6 +87,9 @@ pub fn comp_cell(example: &Example, settings: &Settings) -> Cell {
 
 /// The angle of the view. The page shows façades and edges from the front right, other examples from the front left.
 fn azimuth(example: &Example) -> f64 {
+    if example.marks.contains(&Mark::FromOrigin) {
+        return -140.0;
+    }
     let from_the_right = [Mark::InitialPivot, Mark::Pivots("Right"), Mark::Initial];
     if from_the_right.iter().any(|mark| example.marks.contains(mark)) { 40.0 } else { -33.0 }
 }

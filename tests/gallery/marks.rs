@@ -1,10 +1,13 @@
 //! The marks in the pages' pictures: axes of scopes, pivots, boxes, the initial shape. x is red, y green, z blue.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use cga::glam::{DAffine3, DMat3, DVec3};
 use cga::mesh::Bounds;
-use cga::{Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Shape, Sink, Text};
+use cga::{
+    Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Settings, Shape, Sink, Text,
+};
 
 use crate::pages::example::{Example, Mark};
 
@@ -34,7 +37,12 @@ pub fn marked(model: &Model, example: &Example) -> Model {
             Mark::Scope(rule, at) => model.leaves_of(rule).skip(at).take(1).for_each(|leaf| pen.scope(&leaf.scope())),
             Mark::Boxes(rule) => model.leaves_of(rule).for_each(|leaf| pen.edges(&leaf.scope())),
             Mark::Pivots(rule) => model.leaves_of(rule).for_each(|leaf| pen.pivot(&first_corner(&leaf))),
-            Mark::FromAbove => {}
+            Mark::ScopePivots(rule) => model.leaves_of(rule).for_each(|leaf| pen.pivot(&leaf.scope().frame())),
+            Mark::Inner(rule) => inner_scopes(example, rule).iter().for_each(|scope| {
+                pen.edges(scope);
+                pen.scope(scope);
+            }),
+            Mark::FromAbove | Mark::FromOrigin => {}
         }
     }
     pen.out
@@ -46,6 +54,18 @@ fn reach(model: &Model, start: &Shape) -> Bounds {
     let far = scope.origin + scope.axes * scope.size;
     let bounds = model.bounds();
     Bounds::of([bounds.low, bounds.high, scope.origin, far].into_iter().filter(|corner| corner.is_finite()))
+}
+
+/// The scopes with which a rule begins, from the tree of shapes.
+fn inner_scopes(example: &Example, rule: &str) -> Vec<Scope> {
+    let model = example.model(&Settings { tree: true, ..Settings::default() });
+    let mut found = BTreeMap::new();
+    for leaf in model.leaves() {
+        let shapes = std::iter::successors(leaf.node(), |node| node.parent());
+        found.extend(shapes.filter(|node| node.rule() == rule).map(|node| (node.index(), *node.scope())));
+    }
+    assert!(!found.is_empty(), "{}: no shape of {rule} to mark", example.title);
+    found.into_values().collect()
 }
 
 /// The pivot that `comp` gives a face: the start of its first edge, with the axes of its scope.

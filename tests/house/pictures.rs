@@ -22,3 +22,19 @@ fn no_two_pictures_are_equal() {
         }
     }
 }
+
+/// The pictures that users fetch: with the package `cga`, and with the chapters of the gallery.
+#[test]
+fn the_pictures_of_the_package_and_of_the_chapters_are_small() {
+    const MOST: usize = 6_000_000;
+    let gallery = root().join("docs/gallery");
+    let (mut package, mut chapters) = (0, 0);
+    for path in files_below(&root().join("docs"), ".png") {
+        let size = fs::read(&path).expect("a picture").len();
+        // The package leaves out the gallery, except for its scenes.
+        let is_chapter = path.starts_with(&gallery) && !path.starts_with(gallery.join("scenes"));
+        *(if is_chapter { &mut chapters } else { &mut package }) += size;
+    }
+    println!("{package} bytes in the package, {chapters} in the chapters");
+    assert!(package <= MOST && chapters <= MOST, "{package} bytes in the package, {chapters} in the chapters");
+}

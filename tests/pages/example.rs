@@ -53,6 +53,12 @@ pub enum Mark {
     Boxes(&'static str),
     /// The pivot of each piece of a rule that consists of faces which `comp` made: the start of the first edge.
     Pivots(&'static str),
+    /// The pivot of each piece of a rule whose last operation has put it at the origin of the scope.
+    ScopePivots(&'static str),
+    /// The edges and the axes of the scope of each shape of a rule that has successors.
+    Inner(&'static str),
+    /// The picture shows the model from the origin of the initial scope, so that all axes are in front.
+    FromOrigin,
     /// The picture shows the model from above.
     FromAbove,
 }
@@ -61,7 +67,11 @@ impl Mark {
     /// The rule whose pieces are marked.
     pub fn rule(self) -> Option<&'static str> {
         match self {
-            Mark::Scopes(rule) | Mark::Scope(rule, _) | Mark::Boxes(rule) | Mark::Pivots(rule) => Some(rule),
+            Mark::Scopes(rule)
+            | Mark::Scope(rule, _)
+            | Mark::Boxes(rule)
+            | Mark::Pivots(rule)
+            | Mark::ScopePivots(rule) => Some(rule),
             _ => None,
         }
     }

@@ -15,6 +15,7 @@ pub mod primitives;
 pub mod recompose;
 pub mod roofs;
 pub mod scattering;
+pub mod scope;
 pub mod setback;
 pub mod split_area;
 pub mod split_attribute;

@@ -8,11 +8,12 @@ use super::{check, planted};
 /// The parts with gaps, by model: railings, leaves, fences, streets around blocks without ground.
 pub(super) fn open(name: &str) -> &'static [&'static str] {
     match name {
-        "bridge" => &["Rail"],
+        "bridge" => &["Rail", "Crown"],
         "corner" => &["Bar", "Rail"],
         "fence" => &["Slat", "Bar", "Rail", "Plank", "Leaves", "Stalk", "Flower", "Post"],
         "example streets" => &["Pavement", "Roadway"],
         "interior" => &["Leaf"],
+        "park" => &["Crown", "Needles"],
         "street" => &["Crown"],
         "town_house" => &["Bar", "Rail"],
         _ => &[],

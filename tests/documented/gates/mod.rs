@@ -1,6 +1,7 @@
 //! The gates over everything that the repository draws, and for each gate a planted scene that it must catch.
 
 mod back_faces;
+mod chapters;
 mod cracks;
 mod fights;
 mod files;

@@ -2,6 +2,7 @@
 
 mod file;
 mod parts;
+mod stretch;
 
 use cga::glam::{DAffine3, DMat4, DQuat, DVec2, DVec3};
 use cga::mesh::Bounds;
@@ -10,6 +11,7 @@ use serde_json::Value as Json;
 use self::file::numbers;
 pub use self::file::{GlbFile, number};
 use self::parts::parts;
+use self::stretch::is_stretched;
 use crate::survey::{Part, Survey, Triangle};
 
 /// A primitive of a file, with its places in the world.
@@ -31,9 +33,8 @@ pub struct GlbSurvey {
     pub survey: Survey,
     /// The triangles whose normals at corners look to their backs.
     pub turned_normals: Vec<u32>,
-    /// The first triangle of each primitive that shows a map of its material without an extent in its texture coordinates: one colour, or
-    /// streaks.
-    pub flat_textures: Vec<u32>,
+    /// The triangles that stretch a map of their material in one direction: streaks, or one colour.
+    pub stretched_textures: Vec<u32>,
     /// The number of materials that show an image.
     pub textured_materials: usize,
     /// The number of images in the file.
@@ -55,11 +56,8 @@ impl GlbSurvey {
             material["alphaMode"] == "BLEND" && opacity < 1.0
         };
         let clear: Vec<bool> = materials.iter().map(is_clear).collect();
-        let (mut turned_normals, mut flat_textures) = (Vec::new(), Vec::new());
+        let (mut turned_normals, mut stretched_textures) = (Vec::new(), Vec::new());
         for primitive in primitives(&file) {
-            if primitive.uvs.iter().any(|uvs| primitive.triangles.iter().all(|triangle| is_flat(uvs, triangle))) {
-                flat_textures.push(survey.triangles.len() as u32);
-            }
             for part in parts(&primitive) {
                 let rule = rules.get(part.owner[0] as usize).cloned().unwrap_or_default();
                 let own = survey.parts.len() as u32;
@@ -75,6 +73,10 @@ impl GlbSurvey {
                     let number = survey.triangles.len() as u32;
                     if [a, b, c].iter().any(|corner| primitive.normals[*corner].dot(normal) < 0.0) {
                         turned_normals.push(number);
+                    }
+                    let is_streak = |uvs: &Vec<DVec2>| is_stretched(corners, [a, b, c].map(|corner| uvs[corner]));
+                    if primitive.uvs.iter().any(is_streak) {
+                        stretched_textures.push(number);
                     }
                     survey.triangles.push(Triangle { corners, normal, part: own });
                 }
@@ -93,14 +95,8 @@ impl GlbSurvey {
         }
         let textured_materials = materials.iter().filter(|material| !sets(material).is_empty()).count();
         let embedded_images = images(&file);
-        GlbSurvey { survey, turned_normals, flat_textures, textured_materials, embedded_images }
+        GlbSurvey { survey, turned_normals, stretched_textures, textured_materials, embedded_images }
     }
-}
-
-/// Returns true if a triangle has no extent in texture coordinates.
-fn is_flat(uvs: &[DVec2], triangle: &[u32; 3]) -> bool {
-    let [a, b, c] = triangle.map(|corner| uvs[corner as usize]);
-    (b - a).perp_dot(c - a) == 0.0
 }
 
 /// The number of images in the file. All textures have an image, and each image has the bytes of its type, or an address.
