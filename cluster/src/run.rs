@@ -114,6 +114,7 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     let [failed_rows, lost_rows] = [0, 1].map(|at: usize| parts.values().map(|part| part[at]).sum());
     // Also the parts of a query that failed and was tried again.
     store.delete_where("failures/rows", |name| !parts.contains_key(name)).map_err(|why| why.to_string())?;
+    store.delete_parts("failures/rows", |_| true).map_err(|why| why.to_string())?;
 
     let lots = plan.units.iter().map(|unit| unit.count.lots).sum();
     progress.step("making tiles", Some(lots));
@@ -335,6 +336,7 @@ fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u6
     for folder in ["tiles", "sets", "areas", "images", "units", "failures/buildings"] {
         let is_own = |name: &str| !["tiles", "sets", "areas", "images"].contains(&folder) || is_made(name);
         store.delete_where(folder, |name| is_own(name) && !tally.has_name(name)).map_err(failed)?;
+        store.delete_parts(folder, is_own).map_err(failed)?;
     }
     Ok((tally, lost, notes))
 }

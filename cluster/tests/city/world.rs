@@ -127,9 +127,10 @@ pub(crate) fn files(city: &Path) -> BTreeMap<String, Vec<u8>> {
 
 /// Compares all files of two cities.
 pub(crate) fn assert_equal(found: &BTreeMap<String, Vec<u8>>, expected: &BTreeMap<String, Vec<u8>>) {
-    let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(found), names(expected));
+    let others: Vec<&String> = found.keys().filter(|name| !expected.contains_key(*name)).collect();
+    assert!(others.is_empty(), "other files: {others:?}");
     for (name, bytes) in expected {
+        assert!(found.contains_key(name), "`{name}` is missing");
         assert!(&found[name] == bytes, "`{name}` has other bytes");
     }
 }
