@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use cga_city::area::Area;
-use cga_city::cell::{Cell, DEEPEST};
+use cga_city::cell::Cell;
 
 use crate::plan::Unit;
 
@@ -68,7 +68,7 @@ pub(crate) fn areas(cells: impl Iterator<Item = (u64, Option<Area>)>, metres: f6
 
 #[cfg(test)]
 mod tests {
-    use cga_city::cell::key;
+    use cga_city::cell::{DEEPEST, key};
 
     use super::*;
     use crate::plan::{COUNTED, Count, Plan};
