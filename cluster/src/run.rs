@@ -97,11 +97,7 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     if plan.has_margins() {
         progress.step("finding neighbours", None);
         for batch in engine.retry(&read(&call("cga_lots"), &address(&plan_name))).await? {
-            let columns = (0..5).map(|at| column(&batch, at)).collect::<Result<Vec<_>, _>>()?;
-            for row in 0..batch.num_rows() {
-                let [unit, read @ ..] = [0, 1, 2, 3, 4].map(|at: usize| columns[at][row]);
-                plan.set_read(unit as usize, read);
-            }
+            numbers::<5>(&batch)?.into_iter().for_each(|[unit, read @ ..]| plan.set_read(unit as usize, read));
         }
         plan_name = publish(&store, &plan)?;
     }
@@ -147,17 +143,21 @@ fn count(lots: &str) -> String {
 }
 
 fn counts_of(batch: &RecordBatch) -> Result<Vec<Count>, String> {
-    let columns = (0..6).map(|at| column(batch, at)).collect::<Result<Vec<_>, _>>()?;
     let side = |at| cast(batch.column(at), &DataType::Float64).map_err(|why| why.to_string());
     let sides = (6..10).map(side).collect::<Result<Vec<_>, _>>()?;
-    let count = |row: usize| {
-        let [lots, bytes, first, last, low, high] = [0, 1, 2, 3, 4, 5].map(|at: usize| columns[at][row]);
+    let count = |(row, [lots, bytes, first, last, low, high]): (usize, [u64; 6])| {
         let sides = sides.iter().map(|side| side.as_primitive::<Float64Type>());
         let sides: Option<Vec<f64>> = sides.map(|side| side.is_valid(row).then(|| side.value(row))).collect();
         let area = sides.map(|sides| Area { low: [sides[0], sides[1]], high: [sides[2], sides[3]] });
         Count { lots, bytes, keys: [first, last], sums: [low, high], area }
     };
-    Ok((0..batch.num_rows()).map(count).collect())
+    Ok(numbers(batch)?.into_iter().enumerate().map(count).collect())
+}
+
+/// The first columns of each row.
+fn numbers<const N: usize>(batch: &RecordBatch) -> Result<Vec<[u64; N]>, String> {
+    let columns = (0..N).map(|at| column(batch, at)).collect::<Result<Vec<_>, _>>()?;
+    Ok((0..batch.num_rows()).map(|row| std::array::from_fn(|at| columns[at][row])).collect())
 }
 
 fn column(batch: &RecordBatch, at: usize) -> Result<Vec<u64>, String> {

@@ -240,7 +240,8 @@ async fn too_many_lots_beyond_the_border_are_a_note() {
         })
         .collect();
     houses.extend((0..4).map(|id| house(90_000 + id, place(-12.0, 10.0 * id as f64), [10.0, 10.0])));
-    let world = world(&houses, "tile_size = 100000\n").await;
+    let world = world(&houses, "").await;
+    world.write_job("out", "start_column = \"rule\"\ntile_lots = 2000\nunit_lots = 1\n");
     let summary = compare(&world, [1.0, 100.0]).await;
     assert_eq!((summary.units_made, summary.notes), (2, 1));
     assert!(failures(&world.path("out"))[1][0].contains("more than 32768 lots are within 100 m"));
