@@ -2,10 +2,10 @@
 //!
 //! | function | result |
 //! |---|---|
-//! | `cga_lots(work, geometry, columns)` | the lots of a row: a list of `{cell, key, low, high, bytes, footprint}` |
+//! | `cga_lots(work, geometry, columns)` | the lots of a row: a list of `{cell, key, low, high, bytes, class, west, north, east, south, footprint}` |
 //! | `cga_failures(work, geometry, columns)` | writes the problems of a batch of rows; a list of `{name, lines, lost}`: its file, in the first row |
 //! | `cga_building(work, geometry, columns)` | `{glb, reason}`: the building of a row, or the reason why it has none |
-//! | `cga_unit(plan, key)` | the number of the unit with a lot |
+//! | `cga_units(plan, key, class)` | the numbers of the units that read a lot: its own one, and others whose rules may find it |
 //! | `cga_tile(plan, unit, array_agg(footprint))` | makes the tiles of a unit; the number of its buildings |
 //!
 //! `work` and `plan` are addresses of files in the store; see [`work`](crate::work) and [`plan`](crate::plan). Each is one text for all rows.
@@ -17,14 +17,15 @@ use std::hash::{Hash, Hasher};
 use std::sync::Arc;
 
 use async_trait::async_trait;
-use cga_city::cell::key;
+use cga_city::area::Area;
+use cga_city::cell::{DEEPEST, key};
 use cga_city::content::{Form, content};
 use cga_city::store::Store as _;
 use cga_geo::frame::Frame;
 use cga_geo::survey::Survey;
 use datafusion::arrow::array::{
-    Array, ArrayRef, AsArray, LargeBinaryArray, LargeBinaryBuilder, LargeListArray, ListArray, StringArray,
-    StringBuilder, StructArray, UInt32Array, UInt64Array, new_empty_array,
+    Array, ArrayRef, AsArray, Float64Array, LargeBinaryArray, LargeBinaryBuilder, LargeListArray, ListArray,
+    StringArray, StringBuilder, StructArray, UInt32Array, UInt64Array, new_empty_array,
 };
 use datafusion::arrow::buffer::OffsetBuffer;
 use datafusion::arrow::compute::cast;
@@ -55,7 +56,7 @@ pub fn functions() -> Vec<Arc<ScalarUDF>> {
         rows("cga_lots", lots, Immutable, || list_of(lot_fields())),
         rows("cga_failures", failures, Volatile, || list_of(failure_fields())),
         rows("cga_building", buildings, Immutable, || DataType::Struct(building_fields())),
-        Function::of_batch("cga_unit", &[Address, Number], Immutable, || DataType::UInt32, units),
+        Function::of_batch("cga_units", &[Address, Number, Number], Immutable, unit_list, units),
         Function::waiting("cga_tile", &[Address, Number, Footprints], || DataType::UInt64, tiles),
     ]
 }
@@ -175,8 +176,18 @@ fn fields<const N: usize>(fields: [(&str, DataType); N]) -> Fields {
 }
 
 fn lot_fields() -> Fields {
-    let numbers = ["cell", "key", "low", "high", "bytes"].map(|name| Field::new(name, DataType::UInt64, true));
-    numbers.into_iter().chain([Field::new("footprint", DataType::LargeBinary, true)]).collect()
+    let field = |kind: DataType| move |name| Field::new(name, kind.clone(), true);
+    let numbers = ["cell", "key", "low", "high", "bytes", "class"].map(field(DataType::UInt64));
+    let sides = ["west", "north", "east", "south"].map(field(DataType::Float64));
+    numbers.into_iter().chain(sides).chain(["footprint"].map(field(DataType::LargeBinary))).collect()
+}
+
+fn unit_list() -> DataType {
+    DataType::List(unit_item())
+}
+
+fn unit_item() -> Arc<Field> {
+    Arc::new(Field::new_list_field(DataType::UInt32, true))
 }
 
 fn failure_fields() -> Fields {
@@ -203,21 +214,29 @@ fn list(fields: Fields, lengths: Vec<usize>, columns: Vec<ArrayRef>) -> Result<A
 
 fn lots(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
     let surveyor = work.surveyor().map_err(failed)?;
-    let (mut lengths, mut numbers, mut bytes) = (Vec::new(), [const { Vec::new() }; 5], LargeBinaryBuilder::new());
+    let (mut lengths, mut bytes) = (Vec::new(), LargeBinaryBuilder::new());
+    let (mut numbers, mut sides) = ([const { Vec::new() }; 6], [const { Vec::new() }; 4]);
     for at in 0..rows.len() {
         let footprints = surveyor.survey(rows.row(at)).footprints;
         lengths.push(footprints.len());
         for footprint in footprints {
-            let (key, own) = (key(footprint.middle()), footprint.to_bytes());
+            let (middle, area, own) = (footprint.middle(), Area::of(&footprint), footprint.to_bytes());
+            let key = key(middle);
             let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(&own).as_bytes();
             let [low, high] = [[a, b, c, d], [e, f, g, h]].map(|half| u64::from(u32::from_le_bytes(half)));
-            let row = [counted(key), key, low, high, own.len() as u64];
+            let row = [counted(key), key, low, high, own.len() as u64, area.class(middle).into()];
             numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
+            let Area { low: [west, north], high: [east, south] } = area;
+            let asks = work.asks(&footprint);
+            let row = [west, north, east, south].map(|side| asks.then_some(side));
+            sides.iter_mut().zip(row).for_each(|(column, side)| column.push(side));
             bytes.append_value(own);
         }
     }
     let numbers = numbers.map(|column| Arc::new(UInt64Array::from(column)) as ArrayRef);
-    list(lot_fields(), lengths, numbers.into_iter().chain([Arc::new(bytes.finish()) as ArrayRef]).collect())
+    let sides = sides.map(|column| Arc::new(Float64Array::from(column)) as ArrayRef);
+    let columns = numbers.into_iter().chain(sides).chain([Arc::new(bytes.finish()) as ArrayRef]);
+    list(lot_fields(), lengths, columns.collect())
 }
 
 /// Writes a part of the table of rows that failed. Its name follows from the rows of the batch, so a batch that is read twice has one file.
@@ -279,9 +298,18 @@ fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
 
 fn units(args: &[ArrayRef]) -> Result<ArrayRef> {
     let plan = plan_at(&address(&args[0])?).map_err(failed)?;
-    let keys = cast(&args[1], &DataType::UInt64)?;
-    let unit = |key: Option<u64>| plan.plan.unit(key?).map(|unit| unit as u32);
-    Ok(Arc::new(keys.as_primitive::<UInt64Type>().iter().map(unit).collect::<UInt32Array>()))
+    let [keys, classes] = [cast(&args[1], &DataType::UInt64)?, cast(&args[2], &DataType::UInt64)?];
+    let (keys, classes) = (keys.as_primitive::<UInt64Type>(), classes.as_primitive::<UInt64Type>());
+    let (mut lengths, mut units) = (Vec::with_capacity(keys.len()), Vec::with_capacity(keys.len()));
+    for (key, class) in keys.iter().zip(classes) {
+        // A class that is not known has the largest footprints.
+        let class = class.map_or(u8::MAX, |class| class.min(u8::MAX.into()) as u8).min(DEEPEST as u8);
+        let before = units.len();
+        units.extend(key.into_iter().flat_map(|key| plan.units(key, class)).map(|unit| unit as u32));
+        lengths.push(units.len() - before);
+    }
+    let (offsets, units) = (OffsetBuffer::from_lengths(lengths), Arc::new(UInt32Array::from(units)));
+    Ok(Arc::new(ListArray::try_new(unit_item(), offsets, units, None)?))
 }
 
 /// The members of a list in a row.

@@ -3,7 +3,7 @@
 //! ```toml
 //! store = "s3://bucket/city"              # or a folder
 //! lots = ["s3://maps/lots/"]              # files and folders of GeoParquet
-//! rules = ["house.cga"]
+//! rules = ["house.cga"]                   # or compiled = ["House"]
 //! lod = ["Block@8"]
 //! set = { slope = 40 }
 //! attributes = { HOEHE = "height" }
@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 use cga::RuleLoader;
 use cga_city::build::Options;
+use cga_city::surroundings::{Distances, MOST_DISTANCE};
 use cga_geo::crs::{Crs, WGS_84};
 use cga_geo::missing;
 use cga_geo::reader::FileCrs;
@@ -32,7 +33,11 @@ pub struct Job {
     /// Files `.parquet` and folders with all such files below, or their addresses; the address of a folder ends with `/`.
     pub lots: Vec<String>,
     /// The rule files. The first has all lots that name none in the column `grammar_column`.
+    #[serde(default)]
     pub rules: Vec<PathBuf>,
+    /// The names of grammars that are compiled into the program, which come after the rule files; see [`program::main`](crate::program::main).
+    #[serde(default)]
+    pub compiled: Vec<String>,
     /// The folder of meshes and images that the rules insert, at the same path on all machines.
     pub assets: Option<PathBuf>,
     /// The coordinate system, as in `EPSG:25832`; without it, the system that the files name, else degrees.
@@ -52,6 +57,10 @@ pub struct Job {
     /// Levels of detail for far away, from near to far, as in `Block@8`.
     #[serde(default)]
     pub lod: Vec<String>,
+    /// The metres up to which `touches(inter)`, `overlaps(inter)` and `inside(inter)` find other lots.
+    pub occlusion_distance: Option<f64>,
+    /// The metres up to which queries of labelled shapes find other lots.
+    pub context_distance: Option<f64>,
     /// The most lots of a near tile.
     pub tile_lots: Option<u64>,
     /// The most kilobytes of a tile with several lots.
@@ -122,17 +131,20 @@ impl Job {
             }
         };
         let text = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        let usual = Options::default();
+        let (usual, near) = (Options::default(), Distances::default());
         let options = Options {
             levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
             lots_per_tile: self.tile_lots.unwrap_or(usual.lots_per_tile).max(1),
             most_bytes: self.tile_size.map_or(usual.most_bytes, |size| size.saturating_mul(1 << 10)),
-            // A unit has its own lots alone.
-            neighbours: None,
+            neighbours: Some(Distances {
+                occlusion: distance("occlusion_distance", self.occlusion_distance, near.occlusion)?,
+                context: distance("context_distance", self.context_distance, near.context)?,
+            }),
             ..usual
         };
         Ok(Work {
             rules: self.rules.iter().map(rules).collect::<Result<_, String>>()?,
+            compiled: self.compiled.clone(),
             assets: self.assets.clone(),
             values: self.set.iter().map(|(name, value)| (name.clone(), text(value))).collect(),
             columns: Columns {
@@ -146,6 +158,13 @@ impl Job {
             options,
         })
     }
+}
+
+/// The metres of a key, or the usual ones.
+fn distance(key: &str, metres: Option<f64>, usual: f64) -> Result<f64, String> {
+    let metres = metres.unwrap_or(usual);
+    let is_known = (0.0..=MOST_DISTANCE).contains(&metres);
+    is_known.then_some(metres).ok_or_else(|| format!("{key}: a distance is from 0 to {MOST_DISTANCE} metres"))
 }
 
 /// The address of a path, or an address as it is.
@@ -187,6 +206,16 @@ mod tests {
             ("lots.parquet", "lost.parquet", "/lots.parquet`?"),
             ("house.cga", "hose.cga", "/house.cga`?"),
             ("house.cga\"]", "house.cga\"]\ncrs = \"EPSG:25899\"", "such as EPSG:25832"),
+            (
+                "house.cga\"]",
+                "house.cga\"]\ncontext_distance = 1001",
+                "context_distance: a distance is from 0 to 1000 metres",
+            ),
+            (
+                "house.cga\"]",
+                "house.cga\"]\nocclusion_distance = nan",
+                "occlusion_distance: a distance is from 0 to 1000 metres",
+            ),
         ] {
             std::fs::write(&path, text.replace(right, wrong)).expect("room");
             let error = Job::open(&path).and_then(|job| job.work(&FileCrs::None)).expect_err("a mistake");

@@ -10,14 +10,19 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+pub mod compiled;
 pub mod engine;
 pub mod functions;
 pub mod job;
 mod lots;
+mod margin;
 pub mod plan;
+pub mod program;
+mod progress_bar;
 mod rows;
 pub mod run;
 mod sql;
 pub mod store;
+mod town;
 pub mod unit;
 pub mod work;

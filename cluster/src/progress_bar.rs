@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use cga_cluster::run::Progress;
 use indicatif::{ProgressBar as Bar, ProgressStyle};
+
+use crate::run::Progress;
 
 /// A bar for a person who waits. It is not drawn if standard error is not a terminal.
 pub(crate) struct ProgressBar(Bar);

@@ -3,15 +3,16 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::time::Duration;
 
+use cga_city::area::Area;
 use cga_city::cell::Cell;
 use cga_city::leftovers::is_made;
 use cga_city::root::write_root;
 use cga_city::store::Store as _;
 use cga_city::tally::Tally;
 use cga_city::tree::block_lots;
-use datafusion::arrow::array::{AsArray as _, RecordBatch};
+use datafusion::arrow::array::{Array as _, AsArray as _, RecordBatch};
 use datafusion::arrow::compute::cast;
-use datafusion::arrow::datatypes::{DataType, UInt64Type};
+use datafusion::arrow::datatypes::{DataType, Float64Type, UInt64Type};
 use serde_json::json;
 
 use crate::engine::{Engine, PAUSE};
@@ -90,8 +91,16 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     for batch in engine.retry(&count(&call("cga_lots"))).await? {
         counts.extend(counts_of(&batch)?);
     }
-    let plan = Plan::new(name.clone(), &work.digest, counts, job.unit_lots, block_lots(&work.levels));
-    let plan_name = publish(&store, &plan)?;
+    let (most, block_lots) = (job.unit_lots, block_lots(&work.levels));
+    let mut plan = Plan::new(name.clone(), &work.digest, counts, most, block_lots, work.distance());
+    let mut plan_name = publish(&store, &plan)?;
+    if plan.has_margins() {
+        progress.step("finding neighbours", None);
+        for batch in engine.retry(&read(&call("cga_lots"), &address(&plan_name))).await? {
+            numbers::<5>(&batch)?.into_iter().for_each(|[unit, read @ ..]| plan.set_read(unit as usize, read));
+        }
+        plan_name = publish(&store, &plan)?;
+    }
 
     progress.step("checking rows", None);
     let mut parts = BTreeMap::new();
@@ -101,6 +110,7 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     let [failed_rows, lost_rows] = [0, 1].map(|at: usize| parts.values().map(|part| part[at]).sum());
     // Also the parts of a query that failed and was tried again.
     store.delete_where("failures/rows", |name| !parts.contains_key(name)).map_err(|why| why.to_string())?;
+    store.delete_parts("failures/rows", |_| true).map_err(|why| why.to_string())?;
 
     let lots = plan.units.iter().map(|unit| unit.count.lots).sum();
     progress.step("making tiles", Some(lots));
@@ -127,18 +137,27 @@ fn begin(store: &Objects, address: &str) -> Result<(), String> {
 /// The lots of each counted cell.
 fn count(lots: &str) -> String {
     format!(
-        "select count(*), sum(lot['bytes']), min(lot['key']), max(lot['key']), sum(lot['low']), sum(lot['high']) \
-         from (select unnest({lots}) as lot from lots) group by lot['cell']"
+        "select count(*), sum(lot['bytes']), min(lot['key']), max(lot['key']), sum(lot['low']), sum(lot['high']), \
+         min(lot['west']), min(lot['north']), max(lot['east']), max(lot['south']) from (select unnest({lots}) as lot from lots) group by lot['cell']"
     )
 }
 
 fn counts_of(batch: &RecordBatch) -> Result<Vec<Count>, String> {
-    let columns = (0..6).map(|at| column(batch, at)).collect::<Result<Vec<_>, _>>()?;
-    let count = |row: usize| {
-        let [lots, bytes, first, last, low, high] = [0, 1, 2, 3, 4, 5].map(|at: usize| columns[at][row]);
-        Count { lots, bytes, keys: [first, last], sums: [low, high] }
+    let side = |at| cast(batch.column(at), &DataType::Float64).map_err(|why| why.to_string());
+    let sides = (6..10).map(side).collect::<Result<Vec<_>, _>>()?;
+    let count = |(row, [lots, bytes, first, last, low, high]): (usize, [u64; 6])| {
+        let sides = sides.iter().map(|side| side.as_primitive::<Float64Type>());
+        let sides: Option<Vec<f64>> = sides.map(|side| side.is_valid(row).then(|| side.value(row))).collect();
+        let area = sides.map(|sides| Area { low: [sides[0], sides[1]], high: [sides[2], sides[3]] });
+        Count { lots, bytes, keys: [first, last], sums: [low, high], area }
     };
-    Ok((0..batch.num_rows()).map(count).collect())
+    Ok(numbers(batch)?.into_iter().enumerate().map(count).collect())
+}
+
+/// The first columns of each row.
+fn numbers<const N: usize>(batch: &RecordBatch) -> Result<Vec<[u64; N]>, String> {
+    let columns = (0..N).map(|at| column(batch, at)).collect::<Result<Vec<_>, _>>()?;
+    Ok((0..batch.num_rows()).map(|row| std::array::from_fn(|at| columns[at][row])).collect())
 }
 
 fn column(batch: &RecordBatch, at: usize) -> Result<Vec<u64>, String> {
@@ -162,13 +181,23 @@ fn parts_of(batch: &RecordBatch) -> Result<Vec<(String, [u64; 2])>, String> {
     Ok(names.zip(lines.into_iter().zip(lost)).map(|(name, (lines, lost))| (name, [lines, lost])).collect())
 }
 
+/// The lots that each unit reads.
+fn read(lots: &str, plan: &str) -> String {
+    let plan = literal(plan);
+    format!(
+        "select unit, count(*), sum(bytes), sum(low), sum(high) \
+         from (select unnest(cga_units({plan}, lot['key'], lot['class'])) as unit, lot['bytes'] as bytes, lot['low'] as low, lot['high'] as high \
+         from (select unnest({lots}) as lot from lots)) group by unit"
+    )
+}
+
 /// Makes the tiles of units.
 fn tiles(lots: &str, plan: &str, units: &[usize]) -> String {
     let units: Vec<String> = units.iter().map(usize::to_string).collect();
     let (plan, units) = (literal(plan), units.join(", "));
     format!(
         "select cga_tile({plan}, unit, array_agg(footprint)) \
-         from (select cga_unit({plan}, lot['key']) as unit, lot['footprint'] as footprint \
+         from (select unnest(cga_units({plan}, lot['key'], lot['class'])) as unit, lot['footprint'] as footprint \
          from (select unnest({lots}) as lot from lots)) where unit in ({units}) group by unit"
     )
 }
@@ -190,7 +219,7 @@ async fn make(
     while !open.is_empty() {
         let mut bytes = 0;
         let fits = |unit: &&usize| {
-            bytes += plan.units[**unit].count.bytes;
+            bytes += plan.units[**unit].read_bytes;
             bytes <= wave_bytes
         };
         let length = open.iter().take_while(fits).count().max(1);
@@ -307,6 +336,7 @@ fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u6
     for folder in ["tiles", "sets", "areas", "images", "units", "failures/buildings"] {
         let is_own = |name: &str| !["tiles", "sets", "areas", "images"].contains(&folder) || is_made(name);
         store.delete_where(folder, |name| is_own(name) && !tally.has_name(name)).map_err(failed)?;
+        store.delete_parts(folder, is_own).map_err(failed)?;
     }
     Ok((tally, lost, notes))
 }

@@ -5,6 +5,7 @@
 use std::collections::HashMap;
 use std::future::Future;
 use std::io;
+use std::path::PathBuf;
 use std::sync::mpsc::sync_channel;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
@@ -24,7 +25,8 @@ const PART: usize = 1000;
 pub struct Objects {
     store: Arc<dyn ObjectStore>,
     base: Path,
-    is_local: bool,
+    /// The folder, if it is one of this machine.
+    folder: Option<PathBuf>,
 }
 
 impl Objects {
@@ -37,7 +39,8 @@ impl Objects {
             format!("`{address}` is not an address ({why}); write `file:///folder` or `s3://bucket/folder`")
         })?;
         let (store, base) = open(&url)?;
-        Ok(Objects { store: store.into(), base, is_local: url.scheme() == "file" })
+        let folder = if url.scheme() == "file" { url.to_file_path().ok() } else { None };
+        Ok(Objects { store: store.into(), base, folder })
     }
 
     fn path(&self, name: &str) -> io::Result<Path> {
@@ -134,6 +137,37 @@ impl Objects {
         };
         self.list_parts(folder, others)
     }
+
+    /// Deletes the parts of files that a machine left in a folder when it was lost. They have the name of the file, `#` and a number, and lists do not
+    /// have them. Other stores have whole objects alone.
+    ///
+    /// # Errors
+    /// Errors of the file system.
+    pub fn delete_parts(&self, folder: &str, is_own: impl Fn(&str) -> bool) -> io::Result<()> {
+        let Some(root) = &self.folder else { return Ok(()) };
+        let mut open = vec![root.join(folder)];
+        while let Some(folder) = open.pop() {
+            let entries = match std::fs::read_dir(&folder) {
+                Err(why) if why.kind() == io::ErrorKind::NotFound => continue,
+                entries => entries?,
+            };
+            for entry in entries {
+                let path = entry?.path();
+                if path.is_dir() {
+                    // A link leads to folders of others.
+                    open.extend((!path.is_symlink()).then_some(path));
+                    continue;
+                }
+                let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().replace('\\', "/");
+                let part = name.rsplit_once('#');
+                let is_number = |end: &str| !end.is_empty() && end.bytes().all(|byte| byte.is_ascii_digit());
+                if part.is_some_and(|(whole, end)| is_number(end) && is_own(whole)) {
+                    std::fs::remove_file(&path)?;
+                }
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Store for Objects {
@@ -158,7 +192,7 @@ impl Store for Objects {
     }
 
     fn is_whole(&self, name: &str, count: u64, digest: &str) -> bool {
-        if self.is_local {
+        if self.folder.is_some() {
             return matches!(self.read(name), Ok(Some(bytes)) if has_digest(&bytes, count, digest));
         }
         // Objects are whole or do not exist, and a description is deleted before its object is replaced. So the size is enough.

@@ -57,7 +57,8 @@ pub fn threads(count: usize) -> Result<&'static ThreadPool, String> {
     threads.as_ref().map_err(String::clone)
 }
 
-/// Makes the tiles of a unit and its file, from footprints as bytes in any order. Finished tiles are kept.
+/// Makes the tiles of a unit and its file, from footprints as bytes in any order: its own, and others that its rules may find. Finished tiles are
+/// kept.
 ///
 /// # Errors
 /// A sentence: bytes that are not a footprint, lots that have changed since they were counted, or an error of the store.
@@ -73,12 +74,18 @@ pub fn make_unit<'b>(
         sorter.add(&Footprint::from_bytes(bytes)?).map_err(failed)?;
     }
     let lots = sorter.finish().map_err(failed)?;
-    if lots.len() != unit.count.lots {
+    let [first, last] = unit.count.keys;
+    let begin = lots.before(first, 0..lots.len()).map_err(failed)?;
+    let own = begin..lots.before(last + 1, begin..lots.len()).map_err(failed)?;
+    let (found, counted) = ([own.end - own.start, lots.len()], [unit.count.lots, unit.read_lots]);
+    if found != counted {
         return Err(format!(
-            "the unit {} has {} lots, and had {} before; start again when the lots do not change any more",
+            "the unit {} has {} lots and reads {}, and had {} and {} before; start again when the lots do not change any more",
             unit.cell(),
-            lots.len(),
-            unit.count.lots
+            found[0],
+            found[1],
+            counted[0],
+            counted[1]
         ));
     }
     let tally = Mutex::new(Tally::new(work.levels.len()));
@@ -88,7 +95,7 @@ pub fn make_unit<'b>(
     };
     let (levels, store, most_bytes) = (&work.levels[..], &work.store, work.work.options.most_bytes);
     let trees = Trees { lots: &lots, levels, store, most_bytes, each: &each };
-    let blocks = threads(0)?.install(|| trees.blocks(|_| Ok(()))).map_err(failed)?;
+    let blocks = threads(0)?.install(|| trees.blocks_of(own.clone(), |_| Ok(()))).map_err(failed)?;
     let mut tally = tally.into_inner().unwrap_or_else(PoisonError::into_inner);
     blocks.iter().for_each(|block| tally.add_name(&block.name));
     let mut problems = Problems::new(Vec::new());

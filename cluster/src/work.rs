@@ -5,14 +5,16 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cga::RuleLoader;
 use cga_city::build::Options;
-use cga_city::rules::Rules;
+use cga_city::rules::{CityGrammar, Rules};
 use cga_city::store::{Store as _, digest_of};
 use cga_city::tree::TreeLevel;
 use cga_geo::crs::Crs;
+use cga_geo::footprint::Footprint;
 use cga_geo::survey::{Columns, Surveyor};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use crate::compiled;
 use crate::store::Objects;
 
 /// The work of a job.
@@ -21,6 +23,8 @@ use crate::store::Objects;
 pub struct Work {
     /// The rule files. The first has all lots that name none.
     pub rules: Vec<RuleTexts>,
+    /// The names of compiled grammars, which come after the rule files.
+    pub compiled: Vec<String>,
     /// The folder of meshes and images, at the same path on all machines.
     pub assets: Option<PathBuf>,
     /// The names of attributes and the texts of their values.
@@ -50,9 +54,10 @@ impl Work {
     pub fn load_rules(&self) -> Result<Rules, String> {
         let load = |RuleTexts { file, texts }: &RuleTexts| {
             let loader = texts.iter().fold(RuleLoader::new(), |loader, (name, text)| loader.with_file(name, text));
-            loader.memory_file(file).map_err(|why| why.to_string())
+            loader.memory_file(file).map(CityGrammar::from).map_err(|why| why.to_string())
         };
-        let mut rules = Rules::new(self.rules.iter().map(load).collect::<Result<_, _>>()?)?;
+        let compiled = self.compiled.iter().map(|name| compiled::named(name));
+        let mut rules = Rules::of_grammars(self.rules.iter().map(load).chain(compiled).collect::<Result<_, _>>()?)?;
         if let Some(folder) = &self.assets {
             rules = rules.with_assets(folder)?;
         }
@@ -94,6 +99,16 @@ impl LoadedWork {
             digest.update(&level.rules.digest);
         });
         Ok(LoadedWork { work, rules, levels, store, digest: digest.finalize().to_hex().to_string() })
+    }
+
+    /// Returns true if the rules of a lot can ask about neighbours, at any level of detail.
+    pub fn asks(&self, footprint: &Footprint) -> bool {
+        self.levels.iter().any(|level| level.neighbours.is_some() && level.rules.asks(footprint))
+    }
+
+    /// The metres up to which rules find other lots.
+    pub fn distance(&self) -> f64 {
+        self.work.options.neighbours.map_or(0.0, |distances| distances.largest())
     }
 
     /// Makes footprints of rows.
@@ -190,12 +205,16 @@ pub(crate) fn work_with(address: &str, digest: &str) -> Result<Arc<LoadedWork>, 
     if work.digest == digest {
         return Ok(work);
     }
+    let program = "this machine has another program than the client; install the same file";
     Err(match &work.work.assets {
-        Some(folder) => format!(
-            "the folder `{}` has other files here than on the client; copy the folder of the client to all machines",
-            folder.display()
-        ),
-        None => "this machine has another version of cga-cluster than the client; install the same version".to_owned(),
+        None => program.to_owned(),
+        Some(folder) => {
+            let folder = format!(
+                "the folder `{}` has other files here than on the client; copy the folder of the client to all machines",
+                folder.display()
+            );
+            if work.work.compiled.is_empty() { folder } else { format!("{folder}, or {program}") }
+        }
     })
 }
 

@@ -227,6 +227,12 @@ fn lots_of_several_grammars() {
             "lot `9`: the set has several grammars of the name `House`; add one of them with `with_named`"
         );
     }
+    // A boxed grammar has the same name as without its box.
+    let boxed = Grammars::new().with(Park::default()).with_boxed(House::default().boxed());
+    assert_eq!(boxed.names().collect::<Vec<_>>(), ["Park", "House"]);
+    let house = lot().grammar("House").seed(4);
+    let unboxed = Grammars::new().with(House::default()).generate(&house).unwrap();
+    assert_eq!(boxed.generate(&house).unwrap().to_glb().unwrap(), unboxed.to_glb().unwrap());
     // A name that is given replaces the grammar of that name.
     assert_eq!(Grammars::new().with(Park::default()).with_named("Park", House::default()).names().len(), 1);
 }

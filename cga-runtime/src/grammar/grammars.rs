@@ -53,22 +53,30 @@ impl Grammars {
 
     /// Adds a grammar under the name of its header. If the set has a grammar of that name, no lot can name either of them:
     /// [`with_named`](Grammars::with_named) gives one of them another name. Grammars without a header have no name.
-    pub fn with(mut self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+    pub fn with(self, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+        self.with_boxed(Box::new(grammar))
+    }
+
+    /// Adds a boxed grammar under the name of its header, as [`with`](Grammars::with) does.
+    pub fn with_boxed(mut self, grammar: Box<dyn Grammar + Send + Sync>) -> Self {
         let name = Text::from(grammar.name());
         if self.get(&name).is_some() {
             self.shared.insert(name);
             return self;
         }
-        self.with_named(name, grammar)
+        self.put(name, grammar)
     }
 
     /// Adds a grammar under another name, as a map may have it. It replaces a grammar of that name.
-    pub fn with_named(mut self, name: impl Into<Text>, grammar: impl Grammar + Send + Sync + 'static) -> Self {
-        let name = name.into();
+    pub fn with_named(self, name: impl Into<Text>, grammar: impl Grammar + Send + Sync + 'static) -> Self {
+        self.put(name.into(), Box::new(grammar))
+    }
+
+    fn put(mut self, name: Text, grammar: Box<dyn Grammar + Send + Sync>) -> Self {
         self.shared.remove(&name);
         match self.list.iter_mut().find(|(known, _)| *known == name) {
-            Some(own) => own.1 = Box::new(grammar),
-            None => self.list.push((name, Box::new(grammar))),
+            Some(own) => own.1 = grammar,
+            None => self.list.push((name, grammar)),
         }
         self
     }

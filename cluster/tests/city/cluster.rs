@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::net::TcpListener;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::sync::atomic::{AtomicU16, Ordering};
 use std::thread::sleep;
@@ -15,9 +15,9 @@ use crate::world::{CHOICES, World, assert_equal, expected_failures, failures, fi
 pub(crate) struct Process(Child);
 
 impl Process {
-    fn start(world: &World, log: &str, args: &[&str]) -> Self {
+    fn start(world: &World, program: &Path, log: &str, args: &[&str]) -> Self {
         let log = fs::File::create(world.path(log)).expect("room");
-        let mut command = Command::new(env!("CARGO_BIN_EXE_cga-cluster"));
+        let mut command = Command::new(program);
         let command = command.args(args).current_dir(world.path("")).env("RUST_LOG", "warn");
         Process(
             command
@@ -68,18 +68,25 @@ fn port() -> u16 {
 
 pub(crate) struct Cluster<'w> {
     world: &'w World,
+    program: PathBuf,
     address: String,
     port: String,
 }
 
 impl<'w> Cluster<'w> {
     pub(crate) fn new(world: &'w World) -> Self {
+        Cluster::of(world, env!("CARGO_BIN_EXE_cga-cluster").into())
+    }
+
+    /// A cluster of another program.
+    pub(crate) fn of(world: &'w World, program: PathBuf) -> Self {
         let port = port();
-        Cluster { world, address: format!("127.0.0.1:{port}"), port: port.to_string() }
+        Cluster { world, program, address: format!("127.0.0.1:{port}"), port: port.to_string() }
     }
 
     pub(crate) fn scheduler(&self) -> Process {
-        let scheduler = Process::start(self.world, "scheduler.log", &["scheduler", "--port", &self.port]);
+        let scheduler =
+            Process::start(self.world, &self.program, "scheduler.log", &["scheduler", "--port", &self.port]);
         // Executors wait for it.
         while std::net::TcpStream::connect(&self.address).is_err() {
             sleep(Duration::from_millis(50));
@@ -90,11 +97,16 @@ impl<'w> Cluster<'w> {
     pub(crate) fn executor(&self, name: &str) -> Process {
         let (port, log) = (port().to_string(), format!("{name}.log"));
         let args = ["executor", "--scheduler", &self.address, "--port", &port, "--cores", "1", "--work-dir", name];
-        Process::start(self.world, &log, &args)
+        Process::start(self.world, &self.program, &log, &args)
     }
 
     pub(crate) fn submit(&self) -> Process {
-        Process::start(self.world, "submit.log", &["submit", "job.toml", "--scheduler", &self.address, "--quiet"])
+        Process::start(
+            self.world,
+            &self.program,
+            "submit.log",
+            &["submit", "job.toml", "--scheduler", &self.address, "--quiet"],
+        )
     }
 
     /// Waits until a third of the tiles is made, and a unit is finished.

@@ -44,15 +44,18 @@ async fn finished_units_and_tiles_are_not_made_again() {
     fs::remove_file(&unit).expect("a file");
     let tile = made.keys().find(|name| name.ends_with(".glb")).expect("a tile");
     fs::write(out.join(tile), "damaged").expect("room");
-    let stale = out.join("tiles/0/17/1/1.glb");
-    fs::create_dir_all(stale.parent().expect("a folder")).expect("room");
-    fs::write(&stale, "stale").expect("room");
+    let stale = [out.join("tiles/0/17/1/1.glb"), out.join("tiles/0/17/1/1.glb#1"), out.join(format!("{tile}#12"))];
+    fs::create_dir_all(stale[0].parent().expect("a folder")).expect("room");
+    stale.iter().for_each(|path| fs::write(path, "stale").expect("room"));
+    let own = out.join("tiles/note#x");
+    fs::write(&own, "of a person").expect("room");
     let again = world.run().await.expect("a city");
     assert_eq!((again.units_made, again.units_kept), (1, 2));
     let file: serde_json::Value = serde_json::from_slice(&fs::read(&unit).expect("a file")).expect("JSON");
     let kept = file["tally"]["kept"].as_u64().expect("a number");
     assert!(1 < kept && file["tally"]["made"].as_u64() <= Some(1), "{file}");
-    assert!(!stale.exists());
+    assert!(stale.iter().all(|path| !path.exists()) && own.exists());
+    fs::remove_file(own).expect("a file");
 
     // Other rules make other tiles, and no old ones stay.
     world.write_job("out", &format!("{CHOICES}set = {{ slope = 50 }}"));
@@ -113,7 +116,7 @@ async fn a_machine_with_other_assets_than_the_client_makes_no_tiles() {
     let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
     let name = publish(&store, &work.work).expect("room");
     let plan_of = |digest: &str| {
-        let plan = Plan::new(name.clone(), digest, Vec::new(), 1, 1);
+        let plan = Plan::new(name.clone(), digest, Vec::new(), 1, 1, 0.0);
         plan_at(&format!("{}/{}", job.store, publish(&store, &plan).expect("room")))
     };
     assert!(plan_of(&work.digest).is_ok());
@@ -171,7 +174,7 @@ async fn a_wrong_call_of_a_function_is_refused_with_the_type_that_is_wanted() {
         (format!("cga_building('a', height, {columns})"), "write a geometry as WKB"),
         ("cga_failures('a', geometry, height)".to_owned(), "write a group of columns"),
         ("cga_building('a', geometry, named_struct('a', [1]))".to_owned(), "the column `a` has the type List"),
-        ("cga_unit('a', kind)".to_owned(), "write a whole number"),
+        ("cga_units('a', kind, 1)".to_owned(), "write a whole number"),
         ("cga_tile('a', 1, geometry)".to_owned(), "write footprints"),
         ("cga_tile('a', 1, [1, 2])".to_owned(), "write footprints"),
         (format!("cga_building(concat('a', id), geometry, {columns})"), "write a query for each address"),

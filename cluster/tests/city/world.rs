@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use cga_city::build::{Build, NoProgress};
+use cga_city::build::{Build, NoProgress, Options};
 use cga_cluster::engine::Engine;
 use cga_cluster::job::Job;
 use cga_cluster::run::{self, Summary};
@@ -34,19 +34,31 @@ pub(crate) struct World {
 impl World {
     /// Towns that are so far from each other that each has blocks of its own. One row in `broken` cannot be used.
     pub(crate) fn new(towns: u64, rows: u64, broken: u64) -> Self {
-        let folder = tempfile::tempdir().expect("a folder");
-        std::fs::create_dir(folder.path().join("lots")).expect("room");
-        std::fs::write(folder.path().join("house.cga"), RULES).expect("room");
-        let town = |at: u64| {
-            let path = folder.path().join(format!("lots/town-{at}.parquet"));
+        let mut world = World::empty(RULES);
+        for at in 0..towns {
+            let path = world.add_lots(&format!("town-{at}.parquet"));
             let middle = [9.0 + 0.7 * at as f64, 48.0 + 0.3 * (at % 3) as f64];
             Town { seed: at + 1, middle, broken, ..Town::new(rows) }.write(&path).expect("room");
-            path
-        };
-        let lots = (0..towns).map(town).collect();
-        let world = World { folder, lots };
+        }
         world.write_job("out", CHOICES);
         world
+    }
+
+    /// A folder with rules and without lots.
+    pub(crate) fn empty(rules: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        std::fs::create_dir(folder.path().join("lots")).expect("room");
+        std::fs::write(folder.path().join("house.cga"), rules).expect("room");
+        World { folder, lots: Vec::new() }
+    }
+
+    /// The path of a file of lots, which the caller writes.
+    pub(crate) fn add_lots(&mut self, name: &str) -> PathBuf {
+        let path = self.path("lots").join(name);
+        if !self.lots.contains(&path) {
+            self.lots.push(path.clone());
+        }
+        path
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -75,10 +87,15 @@ impl World {
 
     /// Makes the city with `cga-city`, in the folder `expected`.
     pub(crate) fn expected(&self) -> PathBuf {
+        self.expected_with(|options| options)
+    }
+
+    /// Makes the city with `cga-city` and changed options.
+    pub(crate) fn expected_with(&self, change: impl Fn(Options) -> Options) -> PathBuf {
         let out = self.path("expected");
         let work = self.job().work(&reader::FileCrs::Epsg(4326)).expect("a work");
         let rules = work.load_rules().expect("rules");
-        let mut build = Build::begin(&out, work.options.clone()).expect("a folder");
+        let mut build = Build::begin(&out, change(work.options.clone())).expect("a folder");
         for path in &self.lots {
             let rows = reader::open(path, &work.columns.names(&rules.grammars())).expect("lots").rows;
             let surveyor = cga_geo::survey::Surveyor::new(rules.grammars(), work.columns.clone());
@@ -110,9 +127,10 @@ pub(crate) fn files(city: &Path) -> BTreeMap<String, Vec<u8>> {
 
 /// Compares all files of two cities.
 pub(crate) fn assert_equal(found: &BTreeMap<String, Vec<u8>>, expected: &BTreeMap<String, Vec<u8>>) {
-    let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
-    assert_eq!(names(found), names(expected));
+    let others: Vec<&String> = found.keys().filter(|name| !expected.contains_key(*name)).collect();
+    assert!(others.is_empty(), "other files: {others:?}");
     for (name, bytes) in expected {
+        assert!(found.contains_key(name), "`{name}` is missing");
         assert!(&found[name] == bytes, "`{name}` has other bytes");
     }
 }

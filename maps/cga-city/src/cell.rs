@@ -33,6 +33,16 @@ impl Cell {
         Cell { zoom: DEEPEST - levels_up, code: first >> (2 * levels_up) }
     }
 
+    /// The cell of a depth with a key.
+    pub fn with(key: u64, zoom: u32) -> Self {
+        Cell { zoom, code: key >> (2 * (DEEPEST - zoom)) }
+    }
+
+    /// The cell of a depth at a column from the west and a row from the north.
+    pub(crate) fn at(zoom: u32, place: [u64; 2]) -> Self {
+        Cell { zoom, code: code(place) }
+    }
+
     /// The four quarters, along the curve; `None` for the smallest cells.
     pub fn quarters(self) -> Option<[Cell; 4]> {
         let quarter = |number: u64| Cell { zoom: self.zoom + 1, code: self.code << 2 | number };
@@ -81,13 +91,8 @@ pub(crate) fn place([longitude, latitude]: Corner) -> [f64; 2] {
     [x * count, y * count]
 }
 
-/// The column and the row of a smallest cell.
-pub(crate) fn place_of(key: u64) -> [f64; 2] {
-    [gathered(key), gathered(key >> 1)].map(|part| part as f64)
-}
-
 /// The number of a cell along the curve, by column and row.
-pub(crate) fn code([x, y]: [u64; 2]) -> u64 {
+fn code([x, y]: [u64; 2]) -> u64 {
     spread(x) | spread(y) << 1
 }
 

@@ -9,7 +9,7 @@
 //! Equal lots and equal rules make equal bytes, with any number of threads, in any order of the lots, and after any number of interrupted runs.
 #![forbid(unsafe_code)]
 
-mod area;
+pub mod area;
 pub mod build;
 pub mod cell;
 pub mod content;

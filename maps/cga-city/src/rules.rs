@@ -1,6 +1,7 @@
 //! The rules of a city: one grammar or several, with values for each level of detail.
 
 use std::collections::BTreeSet;
+use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -10,10 +11,41 @@ use cga_geo::missing;
 
 use crate::level::Level;
 
-/// Loaded rules.
+/// A grammar of a city: a rule file that is loaded, or rules that are compiled into the program.
+#[derive(Clone)]
+pub struct CityGrammar {
+    grammar: Box<dyn Grammar + Send + Sync>,
+    /// The contents of a rule file and of its imports, or the version of compiled rules.
+    contents: Vec<String>,
+    warnings: Vec<String>,
+}
+
+impl CityGrammar {
+    /// Compiled rules. Their text is unknown, so `version` must differ for other rules: finished tiles of the same version are kept.
+    pub fn compiled(grammar: Box<dyn Grammar + Send + Sync>, version: &str) -> Self {
+        CityGrammar { grammar, contents: vec!["compiled".to_owned(), version.to_owned()], warnings: Vec::new() }
+    }
+}
+
+impl From<RuleFile> for CityGrammar {
+    fn from(file: RuleFile) -> Self {
+        // Where the files are does not matter.
+        let contents = file.texts().map(|(_, text)| text.to_owned()).collect();
+        let warnings = file.warnings().to_vec();
+        CityGrammar { grammar: Box::new(file), contents, warnings }
+    }
+}
+
+impl fmt::Debug for CityGrammar {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.grammar.name())
+    }
+}
+
+/// The rules of a city.
 #[derive(Clone, Debug)]
 pub struct Rules {
-    files: Vec<RuleFile>,
+    files: Vec<CityGrammar>,
     assets: Arc<Assets>,
     /// The contents of the files and of the folder of assets.
     digest: [u8; 32],
@@ -32,19 +64,26 @@ impl Rules {
     /// Rules that are loaded.
     ///
     /// # Errors
-    /// A sentence: the list is empty, two files have one name, or a file has no start rule.
+    /// As [`of_grammars`](Rules::of_grammars).
     pub fn new(files: Vec<RuleFile>) -> Result<Self, String> {
-        let Some(first) = files.first() else { return Err("a city needs rules".to_owned()) };
-        let name = first.name().to_owned();
-        if let Some(twice) =
-            (1..files.len()).find(|at| files[..*at].iter().any(|file| file.name() == files[*at].name()))
+        Rules::of_grammars(files.into_iter().map(CityGrammar::from).collect())
+    }
+
+    /// Rules that are loaded or compiled. The first grammar has all lots that name none.
+    ///
+    /// # Errors
+    /// A sentence: the list is empty, two grammars have one name, or a grammar has no start rule.
+    pub fn of_grammars(files: Vec<CityGrammar>) -> Result<Self, String> {
+        let name = |file: &CityGrammar| file.grammar.name().to_owned();
+        let Some(first) = files.first().map(name) else { return Err("a city needs rules".to_owned()) };
+        if let Some(twice) = (1..files.len()).find(|at| files[..*at].iter().any(|file| name(file) == name(&files[*at])))
         {
-            return Err(format!("two rule files have the name `{}`; `{name}` is the first file", files[twice].name()));
+            return Err(format!("two rule files have the name `{}`; `{first}` is the first file", name(&files[twice])));
         }
-        if let Some(file) = files.iter().find(|file| file.start_rules().is_empty()) {
+        if let Some(file) = files.iter().find(|file| file.grammar.start_rules().is_empty()) {
             return Err(format!(
                 "`{}` has no start rule; write a rule without parameters, as in `Lot --> extrude(9)`",
-                file.name()
+                name(file)
             ));
         }
         let mut rules = Rules { files, assets: Arc::default(), digest: [0; 32] };
@@ -76,7 +115,7 @@ impl Rules {
 
     /// The grammars.
     pub fn grammars(&self) -> Vec<&dyn Grammar> {
-        self.files.iter().map(|file| file as &dyn Grammar).collect()
+        self.files.iter().map(|file| &*file.grammar as &dyn Grammar).collect()
     }
 
     /// Checks names of attributes that columns set.
@@ -85,11 +124,11 @@ impl Rules {
     /// A sentence with a name that no file has.
     pub fn check_attributes<'n>(&self, mut names: impl Iterator<Item = &'n str>) -> Result<(), String> {
         let has = |name: &str| {
-            self.files.iter().any(|file| file.attributes().iter().any(|attribute| attribute.name.is(name)))
+            self.files.iter().any(|file| file.grammar.attributes().iter().any(|attribute| attribute.name.is(name)))
         };
         match names.find(|name| !has(name)) {
             Some(name) => {
-                let attributes = self.files.iter().flat_map(|file| file.attributes());
+                let attributes = self.files.iter().flat_map(|file| file.grammar.attributes());
                 let known = attributes.map(|attribute| attribute.name.as_str());
                 let known = missing::names(name, "the rules", "attributes", known);
                 Err(format!("`{name}` is not an attribute of the rules; {known}"))
@@ -100,7 +139,7 @@ impl Rules {
 
     /// The warnings about the rules.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
-        self.files.iter().flat_map(|file| file.warnings()).map(String::as_str)
+        self.files.iter().flat_map(|file| &file.warnings).map(String::as_str)
     }
 
     /// The rules of a level.
@@ -111,7 +150,7 @@ impl Rules {
         let mut files = self.files.clone();
         level.values.iter().try_for_each(|(name, value)| set(&mut files, name, value))?;
         if let Some(start) = &level.start {
-            for file in &files {
+            for file in files.iter().map(|file| &file.grammar) {
                 if !file.start_rules().iter().any(|rule| rule.name.is(start)) {
                     let known: Vec<&str> = file.start_rules().iter().map(|rule| rule.name.as_str()).collect();
                     return Err(format!(
@@ -124,8 +163,10 @@ impl Rules {
         }
         let mut digest = blake3::Hasher::new();
         digest.update(&self.digest).update(format!("{:?}", level.start).as_bytes());
-        for attribute in
-            files.iter().flat_map(|file| file.attributes().iter().map(move |attribute| file.get(&attribute.name).ok()))
+        for attribute in files
+            .iter()
+            .map(|file| &file.grammar)
+            .flat_map(|grammar| grammar.attributes().iter().map(move |attribute| grammar.get(&attribute.name).ok()))
         {
             digest.update(format!("{attribute:?};").as_bytes());
         }
@@ -137,7 +178,8 @@ impl Rules {
         };
         let asking = asking(&files, &level.start);
         let first = files[0].clone();
-        let grammars = files.into_iter().fold(Grammars::new(), Grammars::with);
+        let boxed = files.into_iter().map(|file| file.grammar);
+        let grammars = boxed.fold(Grammars::new(), Grammars::with_boxed);
         Ok(LevelRules { first, grammars, settings, digest: *digest.finalize().as_bytes(), asking })
     }
 
@@ -147,9 +189,8 @@ impl Rules {
             digest.update(&(bytes.len() as u64).to_le_bytes()).update(bytes);
         };
         for file in &self.files {
-            add(file.name().as_bytes());
-            // Where the files are does not matter.
-            file.texts().for_each(|(_, text)| add(text.as_bytes()));
+            add(file.grammar.name().as_bytes());
+            file.contents.iter().for_each(|text| add(text.as_bytes()));
         }
         for (name, content) in assets {
             add(name.as_bytes());
@@ -162,7 +203,7 @@ impl Rules {
 /// The rules of a level of detail.
 #[derive(Clone, Debug)]
 pub struct LevelRules {
-    first: RuleFile,
+    first: CityGrammar,
     /// The grammars with the values of the level.
     pub grammars: Grammars,
     /// The settings of all runs.
@@ -178,7 +219,7 @@ impl LevelRules {
     pub fn grammar(&self, name: Option<&str>) -> &dyn Grammar {
         match name.and_then(|name| self.grammars.get(name)) {
             Some(grammar) => grammar,
-            None => &self.first,
+            None => &*self.first.grammar,
         }
     }
 
@@ -197,9 +238,9 @@ impl LevelRules {
 }
 
 /// The start rules that can ask about neighbours, with their files.
-fn asking(files: &[RuleFile], start: &Option<String>) -> BTreeSet<(String, Option<String>)> {
+fn asking(files: &[CityGrammar], start: &Option<String>) -> BTreeSet<(String, Option<String>)> {
     let mut asking = BTreeSet::new();
-    for file in files {
+    for file in files.iter().map(|file| &file.grammar) {
         let asks = |start: Option<String>| {
             let settings = Settings { start, ..Settings::default() };
             SceneLot::new(file.boxed(), Shape::rectangle(1.0, 1.0), settings).asks_about_neighbours()
@@ -211,14 +252,14 @@ fn asking(files: &[RuleFile], start: &Option<String>) -> BTreeSet<(String, Optio
     asking
 }
 
-fn set(files: &mut [RuleFile], name: &str, value: &str) -> Result<(), String> {
-    let has = |file: &RuleFile| file.attributes().iter().any(|attribute| attribute.name.is(name));
+fn set(files: &mut [CityGrammar], name: &str, value: &str) -> Result<(), String> {
+    let has = |file: &CityGrammar| file.grammar.attributes().iter().any(|attribute| attribute.name.is(name));
+    let set = |file: &mut CityGrammar| file.grammar.set_text(name, value).map_err(|why| why.to_string());
     if files.iter().any(has) {
-        let set = |file: &mut RuleFile| file.set_text(name, value).map_err(|why| why.to_string());
         return files.iter_mut().filter(|file| has(file)).try_for_each(set);
     }
     // The message of the first file names similar attributes.
-    files[0].set_text(name, value).map_err(|why| why.to_string())
+    set(&mut files[0])
 }
 
 /// The names and digests of all files below a folder.

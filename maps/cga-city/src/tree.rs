@@ -126,7 +126,8 @@ impl Trees<'_> {
     /// Makes the tiles of a block, a piece of [`cut`](Trees::cut) with at most [`block_lots`], and the file of its tree.
     /// `None` if no building of it has a face.
     ///
-    /// The result depends on the lots of the block alone, so blocks can be made in any order, by several programs on several machines.
+    /// The result depends on the lots of the block alone, and on the lots around it if its rules ask about neighbours. So blocks can be made in any
+    /// order, by several programs on several machines.
     ///
     /// # Errors
     /// Errors of the store, and an error of [`each`](Trees::each).
@@ -147,8 +148,20 @@ impl Trees<'_> {
     ///
     /// # Errors
     /// As [`block`](Trees::block), and an error of the function.
-    pub fn blocks(&self, mut after: impl FnMut(Option<&Block>) -> io::Result<()>) -> io::Result<Vec<Block>> {
-        let Some(all) = self.piece(0..self.lots.len())? else { return Ok(Vec::new()) };
+    pub fn blocks(&self, after: impl FnMut(Option<&Block>) -> io::Result<()>) -> io::Result<Vec<Block>> {
+        self.blocks_of(0..self.lots.len(), after)
+    }
+
+    /// Makes the blocks of some neighbouring lots: all blocks with one of them have no other lots. Rules also find the lots around them.
+    ///
+    /// # Errors
+    /// As [`blocks`](Trees::blocks).
+    pub fn blocks_of(
+        &self,
+        lots: Range<u64>,
+        mut after: impl FnMut(Option<&Block>) -> io::Result<()>,
+    ) -> io::Result<Vec<Block>> {
+        let Some(all) = self.piece(lots)? else { return Ok(Vec::new()) };
         let mut blocks = Vec::new();
         for piece in self.cut(all, block_lots(self.levels))? {
             let block = self.block(piece)?;

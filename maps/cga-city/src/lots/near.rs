@@ -6,13 +6,17 @@ use std::ops::Range;
 use cga_geo::footprint::Footprint;
 
 use super::Lots;
-use crate::area::{Area, CLASSES};
+use crate::area::{Area, CLASSES, Part};
+use crate::cell::Cell;
 
 /// The most lots around a tile.
 pub(crate) const MOST_NEAR: usize = 1 << 15;
 
-/// The most entries of the index that are read for an area.
-const MOST_READ: u64 = 1 << 18;
+/// The most footprints with their middles near an area, whose boxes are compared with it.
+const MOST_COMPARED: usize = 1 << 18;
+
+/// The entries of the index that are compared one by one; more are divided by cells.
+const ENTRIES: u64 = 1 << 12;
 
 /// Large footprints, which may touch an area from far away: keys and numbers in ascending order, for each class after the first. Almost all
 /// buildings are in the first class, so these lists are short.
@@ -36,24 +40,23 @@ pub(crate) type Near = ([u8; 32], Footprint);
 
 impl Lots {
     /// The footprints whose boxes touch an area, without the numbers in a range, by id, then by digest. `None` if there are more than
-    /// [`MOST_NEAR`]. The result depends on the footprints alone.
+    /// [`MOST_NEAR`], or too many beside them. The result depends on the footprints near the area alone; see [`Area::of_class`].
     ///
     /// # Errors
     /// Errors of the file system.
     pub(crate) fn near(&self, area: &Area, without: Range<u64>) -> io::Result<Option<Vec<Near>>> {
-        let Some(mut numbers) = self.near_small(area)? else { return Ok(None) };
+        let Some(mut numbers) = self.near_small(area, &without)? else { return Ok(None) };
         for (large, class) in self.large.of_class.iter().zip(&CLASSES[1..]) {
             let wide = area.of_class(*class);
-            for Range { start, end } in wide.keys() {
+            for Range { start, end } in wide.cover().into_iter().map(Cell::keys) {
                 let [from, to] = [start, end].map(|key| large.partition_point(|(known, _)| *known < key));
-                let inside = large[from..to].iter().filter(|(key, _)| wide.has(*key));
-                numbers.extend(inside.map(|(_, number)| *number));
-                if MOST_READ < numbers.len() as u64 {
+                let others = large[from..to].iter().filter(|(_, number)| !without.contains(number));
+                numbers.extend(others.filter(|(key, _)| wide.has(*key)).map(|(_, number)| *number));
+                if MOST_COMPARED < numbers.len() {
                     return Ok(None);
                 }
             }
         }
-        numbers.retain(|number| !without.contains(number));
         numbers.sort_unstable();
         numbers.dedup();
         let mut found = Vec::new();
@@ -70,17 +73,41 @@ impl Lots {
     }
 
     /// The numbers of footprints of all classes that touch an area if they are in the first class. `None` if they are too many.
-    fn near_small(&self, area: &Area) -> io::Result<Option<Vec<u64>>> {
-        let (wide, mut numbers, mut read) = (area.of_class(CLASSES[0]), Vec::new(), 0);
-        for Range { start, end } in wide.keys() {
-            let from = self.before(start, 0..self.len())?;
-            let to = self.before(end, from..self.len())?;
-            read += to - from;
-            if MOST_READ < read {
+    ///
+    /// Lots beside the area are left out by cells, so a crowded place there costs little.
+    fn near_small(&self, area: &Area, without: &Range<u64>) -> io::Result<Option<Vec<u64>>> {
+        let (wide, mut numbers) = (area.of_class(CLASSES[0]), Vec::new());
+        let within = |cell: Cell, all: Range<u64>| -> io::Result<(Cell, Range<u64>)> {
+            let Range { start, end } = cell.keys();
+            let from = self.before(start, all.clone())?;
+            Ok((cell, from..self.before(end, from..all.end)?))
+        };
+        let mut open =
+            wide.cover().into_iter().map(|cell| within(cell, 0..self.len())).collect::<io::Result<Vec<_>>>()?;
+        while let Some((cell, lots)) = open.pop() {
+            let part = if lots.is_empty() { Part::Nothing } else { wide.part_of(cell) };
+            let is_short = lots.end - lots.start <= ENTRIES;
+            match (part, cell.quarters()) {
+                (Part::Nothing, _) => {}
+                (Part::Some, Some(quarters)) if !is_short => {
+                    for quarter in quarters {
+                        open.push(within(quarter, lots.clone())?);
+                    }
+                }
+                (Part::Some, _) => {
+                    let entries = lots.clone().zip(self.entries(lots)?);
+                    let inside = entries.filter(|(number, entry)| wide.has(entry.key) && !without.contains(number));
+                    numbers.extend(inside.map(|(number, _)| number));
+                }
+                (Part::All, _) => {
+                    let (before, after) =
+                        (lots.start..lots.end.min(without.start), lots.start.max(without.end)..lots.end);
+                    [before, after].into_iter().for_each(|part| numbers.extend(part.take(MOST_COMPARED + 1)));
+                }
+            }
+            if MOST_COMPARED < numbers.len() {
                 return Ok(None);
             }
-            let entries = self.entries(from..to)?;
-            numbers.extend((from..to).zip(entries).filter(|(_, entry)| wide.has(entry.key)).map(|(number, _)| number));
         }
         Ok(Some(numbers))
     }
@@ -132,6 +159,28 @@ mod tests {
                 .filter(|footprint| area.touches(&Area::of(footprint)) && !first.contains(footprint))
                 .collect();
             assert_eq!(found.iter().map(|(_, footprint)| footprint).collect::<Vec<_>>(), expected);
+        }
+    }
+
+    #[test]
+    fn a_crowd_is_divided_by_cells() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut sorter = Sorter::new(folder.path());
+        let place = |at: usize| [9.0 + (at * 37 % 211) as f64 * 2e-5, 48.0 + (at * 53 % 199) as f64 * 2e-5];
+        let list: Vec<Footprint> =
+            (0..5 * ENTRIES as usize).map(|at| rectangle(at, place(at), [2.0, 3.0 + (at % 7) as f64 * 60.0])).collect();
+        list.iter().for_each(|footprint| sorter.add(footprint).expect("room"));
+        let lots = sorter.finish().expect("room");
+        for (at, metres) in [(0, 0.1), (9000, 3.0), (20_000, 90.0), (5, 10.0)] {
+            let area = Area::of(&list[at]).around(metres);
+            let own = lots.footprints(3000..3500).expect("lots");
+            let found = lots.near(&area, 3000..3500).expect("lots").expect("not too many");
+            let mut expected: Vec<&Footprint> =
+                list.iter().filter(|lot| area.touches(&Area::of(lot)) && !own.contains(lot)).collect();
+            expected.sort_by(|a, b| a.id.cmp(&b.id));
+            let mut found: Vec<&Footprint> = found.iter().map(|(_, footprint)| footprint).collect();
+            found.sort_by(|a, b| a.id.cmp(&b.id));
+            assert_eq!(found, expected);
         }
     }
 
