@@ -26,16 +26,16 @@ pub trait SmallSort<T> {
     /// Sorts by a key; equal elements keep their order.
     fn small_sort_by_key<K: Ord>(&mut self, key: impl FnMut(&T) -> K);
 
-    /// Sorts by `Ord`, long lists in half of the time.
+    /// Sorts by `Ord`, long lists in half of the time. Equal elements have no order.
     fn small_sort_unstable(&mut self)
     where
         T: Ord;
 
-    /// Sorts by a total order, long lists in half of the time.
+    /// Sorts by a total order, long lists in half of the time. Equal elements have no order.
     fn small_sort_unstable_by(&mut self, compare: impl FnMut(&T, &T) -> Ordering);
 
     /// Moves the element with that index in the sorted order to its place, smaller ones before it and larger ones behind it. Takes time
-    /// in proportion to the length.
+    /// in proportion to the length. An index beyond the end sorts a part of the list and has no other effect.
     fn small_select_by(&mut self, index: usize, compare: impl FnMut(&T, &T) -> Ordering);
 }
 

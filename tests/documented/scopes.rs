@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use cga::{Assets, MeshBuilder, Model, Settings, Shape, cga};
+use cga_tests::pages::scope;
 
 cga! {
     @Allow(undefined_rule, missing_asset)
@@ -80,22 +81,6 @@ cga! {
                t(2, 0, 0)
                color("#ff0000")
                X
-
-    # center operation
-    @StartRule
-    Centres-->
-       primitiveCube()
-       s(4,4,4)
-       t(-2,-2,-2)
-       SelCube
-    SelCube-->
-       [ color("#ff0000") s(1,1,1) center(x) X ]
-       [ color("#00ff00") s(1,1,1) center(y) X ]
-       [ color("#0000ff") s(1,1,1) center(z) X ]
-       [ color("#ffff00") s(1,1,1) center(xy) X ]
-       [ color("#ff00ff") s(1,1,1) center(xz) X ]
-       [ color("#00ffff") s(1,1,1) center(yz) X ]
-       [ color("#ffffff") s(1,1,1) center(xyz) X ]
 
     # i operation, Window insertion
     @StartRule
@@ -246,7 +231,7 @@ fn what_follows_a_successor_does_not_touch_it() {
 
 #[test]
 fn centring_along_each_choice_of_axes() {
-    let model = run("Centres", &Shape::rectangle(1.0, 1.0));
+    let model = scope::centers::EXAMPLE.model(&Settings::default());
     let middle = [[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 0], [1, 0, 1], [0, 1, 1], [1, 1, 1]];
     assert_eq!(model.counts(), [("X", 7)]);
     for (leaf, axes) in model.leaves_of("X").zip(middle) {
