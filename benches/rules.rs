@@ -22,7 +22,7 @@ use std::sync::Arc;
 use cga::glam::DAffine3;
 use cga::sink::buffers::Buffers;
 use cga::sink::{Filled, Replay};
-use cga::{DynSession, Flow, Grammar, Leaf, Mesh, Model, Settings, Shape, Sink};
+use cga::{Cuboid, DynSession, Flow, Grammar, Leaf, Mesh, Model, Settings, Shape, Sink};
 use common::clock::{fastest, nanoseconds_each};
 use common::instructions::{Work, counted};
 use common::table::{Table, number};
@@ -53,6 +53,11 @@ impl Sink for Counts {
     }
 
     fn filled(&mut self, _: &Filled<'_>) -> Flow {
+        self.others += 1;
+        ControlFlow::Continue(())
+    }
+
+    fn cuboid(&mut self, _: &Leaf<'_>, _: &Cuboid) -> Flow {
         self.others += 1;
         ControlFlow::Continue(())
     }

@@ -182,7 +182,7 @@ pub mod mesh {
 
 /// Texture coordinates of leaves that are rectangles or boxes: maps from points of the world.
 pub mod texture {
-    pub use cga_runtime::geometry::uv_map::{SetMap, UvMap};
+    pub use cga_runtime::geometry::uv_map::{FaceMaps, SetMap, UvMap};
 }
 
 /// The sinks of this crate, and what sinks receive besides the types that are beside [`cga::Sink`](crate::Sink).

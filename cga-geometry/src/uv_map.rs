@@ -3,6 +3,8 @@
 //! A projection maps every point of the world to coordinates. So a rectangle or a box can have coordinates without a
 //! mesh: a sink computes them when it writes vertices.
 
+use std::sync::Arc;
+
 use glam::{DAffine2, DAffine3, DVec2, DVec3, DVec4};
 
 use crate::tol::CONSTANT_EPSILON;
@@ -16,13 +18,39 @@ pub struct UvMap {
     pub v: DVec4,
 }
 
-/// The map of one set of texture coordinates.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The maps of one set of texture coordinates, on a rectangle or a box.
+#[derive(Clone, Debug, PartialEq)]
 pub struct SetMap {
     /// The number of the set, 0 to 9.
     pub set: usize,
-    /// The map from the world.
-    pub map: UvMap,
+    /// The maps from the world.
+    pub maps: FaceMaps,
+}
+
+/// The maps of the faces of a rectangle or a box.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FaceMaps {
+    /// All faces have the same map.
+    Same(UvMap),
+    /// Each face of a box has its own map, in the order of the faces.
+    Each(Arc<[UvMap; 6]>),
+}
+
+impl FaceMaps {
+    /// The map of a face, by its number.
+    #[inline]
+    pub fn of_face(&self, face: usize) -> &UvMap {
+        match self {
+            FaceMaps::Same(map) => map,
+            FaceMaps::Each(maps) => maps.get(face).unwrap_or(&UvMap::ZERO),
+        }
+    }
+}
+
+impl From<UvMap> for FaceMaps {
+    fn from(map: UvMap) -> Self {
+        FaceMaps::Same(map)
+    }
 }
 
 impl UvMap {
@@ -71,9 +99,9 @@ impl UvMap {
     }
 }
 
-/// The map of a set in a list, if any.
-pub fn find(maps: &[SetMap], set: usize) -> Option<UvMap> {
-    maps.iter().find(|known| known.set == set).map(|known| known.map)
+/// The maps of a set in a list, if any.
+pub fn find(maps: &[SetMap], set: usize) -> Option<&FaceMaps> {
+    maps.iter().find(|known| known.set == set).map(|known| &known.maps)
 }
 
 #[cfg(test)]
@@ -100,7 +128,11 @@ mod tests {
     fn a_point_has_the_coordinates_of_two_affine_functions() {
         let map = UvMap { u: DVec4::new(0.5, 0.0, 0.0, 1.0), v: DVec4::new(0.0, 2.0, -1.0, 0.25) };
         assert_eq!(map.at(DVec3::new(4.0, 3.0, 2.0)), DVec2::new(3.0, 4.25));
-        let maps = [SetMap { set: 2, map }];
-        assert_eq!((find(&maps, 2), find(&maps, 0)), (Some(map), None));
+        let maps = [SetMap { set: 2, maps: map.into() }];
+        assert_eq!((find(&maps, 2), find(&maps, 0)), (Some(&FaceMaps::Same(map)), None));
+        assert_eq!(maps[0].maps.of_face(5), &map);
+        let each =
+            FaceMaps::Each(Arc::new([1.0, 2.0, 3.0, 4.0, 5.0, 6.0].map(|u| UvMap { u: DVec4::splat(u), v: map.v })));
+        assert_eq!((each.of_face(1).u.x, each.of_face(5).u.x, each.of_face(6)), (2.0, 6.0, &UvMap::ZERO));
     }
 }

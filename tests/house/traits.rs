@@ -18,7 +18,7 @@ use cga::sink::watertight::Watertight;
 use cga::sink::{Axes, Filled, PartId, Replay};
 use cga::split::{Item, Piece, Prefix, Size, Solution};
 use cga::street::{Centerline, Kind, Network, NetworkOptions, NetworkPart, Side, StreetError};
-use cga::texture::{SetMap, UvMap};
+use cga::texture::{FaceMaps, SetMap, UvMap};
 use cga::{
     Array, AssetError, Assets, Attribute, AttributeError, AttributeKind, Axis, Batch, Batches, Building, Channel,
     ChoiceValues, Choices, Collection, Color, ColorOf, Cuboid, EdgeAttribute, Error, Fault, FaultKind, FileList, Flow,
@@ -57,7 +57,7 @@ fn public_types_have_the_common_traits() {
     each!(data: Collection, Color, FileList, EdgeAttribute, EmbeddedImage, FaceTag, Flaw, Flow, Frame, GltfFile, Material, Measures, Mesh);
     each!(data: MeshLeaf, Meshes, Model, ObjFile, Print, Progress, Range, Report, Reports, Scope, ShapeTree, StartRule, Stats, Stretch);
     each!(data: Submesh, Summary, TagSet, Text, TriangleMesh, UvExtent, Value, Vertex);
-    each!(data: Axes, ColorOf, Cuboid, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);
+    each!(data: Axes, ColorOf, Cuboid, FaceMaps, Geometry<'static>, LeafView<'static>, Quad, SetMap, UvMap);
     each!(data: Camera, Image, Limits, Picture, Projection, RuleDiagnostic, Style, Svg, Viewpoint);
     each!(data: Centerline, Network, NetworkOptions, NetworkPart, Item, Piece, Prefix, Size);
     each!(choice: Axis, Channel, FaultKind, Granularity, Kind, Layer, LayerPart, LimitKind, Lines);

@@ -159,8 +159,12 @@ impl Mesh {
     /// This mesh, whose points are in the world, with coordinates computed by maps in the sets that have a map. Maps of sets
     /// above 9 are ignored. Coordinates that are not finite change as in [`Mesh::with_uv_set`].
     pub fn with_uvs(mut self, maps: &[SetMap]) -> Mesh {
-        for SetMap { set, map } in maps.iter().filter(|known| known.set < UvSets::MOST) {
-            let list = self.corners.iter().map(|&corner| map.at(self.points[corner as usize])).collect();
+        for SetMap { set, maps } in maps.iter().filter(|known| known.set < UvSets::MOST) {
+            let mut list = Vec::with_capacity(self.corners.len());
+            for face in self.faces() {
+                let (map, corners) = (maps.of_face(face.index()), &self.corners[face.corner_range()]);
+                list.extend(corners.iter().map(|&corner| map.at(self.points[corner as usize])));
+            }
             self.put_uv_set(*set, list);
         }
         self

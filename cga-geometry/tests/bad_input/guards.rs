@@ -96,7 +96,8 @@ fn numbers_of_materials_and_tags_of_edges_that_do_not_exist_are_dropped() {
 #[test]
 fn texture_coordinates_of_maps_are_finite() {
     let map = UvMap { u: DVec4::splat(1e308), v: DVec4::splat(f64::NAN) };
-    let mapped = primitive::cube().with_uvs(&[SetMap { set: 2, map }, SetMap { set: 12, map }]);
+    let mapped =
+        primitive::cube().with_uvs(&[SetMap { set: 2, maps: map.into() }, SetMap { set: 12, maps: map.into() }]);
     assert!(mapped.uv_set(2).iter().all(|uv| uv.is_finite()) && mapped.uv_numbers().eq([2]));
 }
 

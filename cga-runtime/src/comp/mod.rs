@@ -179,7 +179,7 @@ pub fn comp_and_rest<C>(
     parts.each_successor(cx, visit)?;
     let mut rest = parts.rest(components);
     cx.env.begin_part(&mut rest);
-    cx.sink.keep(&rest).unwrap_or(Flow::Continue(()))
+    cx.sink.keep(&|| rest.clone()).unwrap_or(Flow::Continue(()))
 }
 
 /// The shape whose components are the next children of its rule.

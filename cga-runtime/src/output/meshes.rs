@@ -283,11 +283,12 @@ impl MeshBuild {
         }
     }
 
-    /// Adds the texture coordinates of the last vertices, from their points in the world.
+    /// Adds the texture coordinates of the last vertices, four for each face, from their points in the world.
     fn uvs(&mut self, leaf: &Leaf<'_>, points: impl Iterator<Item = DVec3> + Clone) {
         for set in self.sets.sets() {
-            if let Some(map) = uv_map::find(leaf.uvs(), set) {
-                self.uvs[set].extend(points.clone().map(|point| map.at(point).as_vec2().to_array()));
+            if let Some(maps) = uv_map::find(leaf.uvs(), set) {
+                let uv = |(corner, point)| maps.of_face(corner / 4).at(point).as_vec2().to_array();
+                self.uvs[set].extend(points.clone().enumerate().map(uv));
             }
         }
     }

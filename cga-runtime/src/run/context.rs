@@ -14,6 +14,7 @@ use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;
 use crate::shape::{Geometry, Inserted, Shape, ShapeRef, filled_scope};
+use crate::value::text::Text;
 
 /// The stack that direct calls may use, in the units of generated code: about a kilobyte each in a build without
 /// optimisation, much less with it. Threads have two megabytes, of which functions (`FUNCTIONS` in `run/env`), sinks
@@ -186,7 +187,8 @@ impl<C> Cx<'_, C> {
 pub(crate) fn filled(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     let is_filled = match shape.form {
         Form::Rect(_) => true,
-        Form::Box => !shape.has_sides(),
+        Form::Box if shape.has_sides() => return box_with_sides(env, sink, shape, rule),
+        Form::Box => true,
         Form::Empty | Form::Other => false,
     };
     if !is_filled {
@@ -240,19 +242,39 @@ fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule:
     flow
 }
 
-/// A leaf that does not fill its scope, or a box whose sides have different texture coordinates.
+/// A box whose sides have different texture coordinates.
+#[cold]
+#[inline(never)]
+fn box_with_sides(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
+    env.ask()?;
+    env.shapes += 1;
+    if let Some(flow) = sink.keep(&|| env.leaf_tables.whole(shape)) {
+        return flow;
+    }
+    let (unit, scope, base) = (shape.unit.get(), shape.scope(), &shape.base.shape.state);
+    let look = env.leaf_tables.looks.get(shape.look.get()).unwrap_or(base.look());
+    let sets = look.coordinates.on_box(unit, &scope, base.projections());
+    env.leaves += 1;
+    env.count_leaf(4 * unit.face_count() as u64, sets.len() as u64)?;
+    let rule = env.leaf_tables.names.get(rule as usize).unwrap_or(Text::EMPTY);
+    let material = env.leaf_tables.looks.get(shape.look.get()).map_or(base.material(), |look| &look.material);
+    let leaf = Leaf::new(rule, material, &scope).with_uvs(&sets);
+    sink.cuboid(&leaf, &filled_scope::cuboid(&scope, unit))
+}
+
+/// A leaf that does not fill its scope.
 #[cold]
 #[inline(never)]
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     env.ask()?;
     env.shapes += 1;
     let mut shape = env.whole(shape);
-    if let Some(flow) = sink.keep(&shape) {
+    if let Some(flow) = sink.keep(&|| shape.clone()) {
         return flow;
     }
     let has_own_sets = !shape.state.coordinates().is_empty();
     if has_own_sets {
-        shape.write_sets_of_mesh();
+        env.kept.shared_sets.write(&mut shape);
     }
     env.leaves += u64::from(!matches!(shape.geometry, Geometry::Empty));
     if let Geometry::Mesh(placed) = &shape.geometry {

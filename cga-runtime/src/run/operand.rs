@@ -44,8 +44,8 @@ impl Sink for OperandLeaves {
         self.add(leaf.whole())
     }
 
-    fn keep(&mut self, shape: &Shape) -> Option<Flow> {
-        Some(self.add(shape.clone()))
+    fn keep(&mut self, shape: &dyn Fn() -> Shape) -> Option<Flow> {
+        Some(self.add(shape()))
     }
 
     fn gone(&mut self, shape: &Shape) -> Flow {

@@ -109,7 +109,8 @@ impl Base {
             let map = |set| {
                 let (source, change) = coordinates.resolve(set, self.shape.state.projections())?;
                 let map = source.map(normal)?;
-                Some(SetMap { set: usize::from(set), map: if is_cap { UvMap::ZERO } else { map.then(&change) } })
+                let map = if is_cap { UvMap::ZERO } else { map.then(&change) };
+                Some(SetMap { set: usize::from(set), maps: map.into() })
             };
             coordinates.sets().filter_map(map).collect()
         })

@@ -115,7 +115,7 @@ fn coordinates_and_tangents_are_there_where_a_material_needs_them() {
     let map = UvMap { u: DVec4::X * 0.5, v: DVec4::Y };
     let scope = Scope::new(dvec3(2.0, 1.0, 0.0));
     let mut model = Model::new();
-    let sets = [cga_runtime::geometry::uv_map::SetMap { set: 0, map }];
+    let sets = [cga_runtime::geometry::uv_map::SetMap { set: 0, maps: map.into() }];
     assert!(model.quad(&Leaf::new(&Text::fixed("Sign"), &material, &scope).with_uvs(&sets), &quad).is_continue());
     let meshes = model.meshes(Granularity::Material);
     let mesh = &meshes.list[0];

@@ -83,7 +83,7 @@ fn maps(sets: &[usize]) -> Vec<SetMap> {
         let factor = (set + 1) as f64;
         UvMap { u: dvec4(factor, 0.0, 0.0, 0.25), v: dvec4(0.0, factor, 0.0, 0.0) }
     };
-    sets.iter().map(|set| SetMap { set: *set, map: along(set) }).collect()
+    sets.iter().map(|set| SetMap { set: *set, maps: along(set).into() }).collect()
 }
 
 /// Passes a rectangle and a box with maps to a sink; `as_meshes` converts them to meshes first.
@@ -399,7 +399,7 @@ fn a_picture_shows_the_texture_the_right_way_round() {
     assert_eq!([at(0, 0), at(1, 0)], [[false, true, false], [false, true, true]]);
     assert_eq!([at(0, 1), at(1, 1)], [[true, false, true], [true, false, false]]);
     // A rectangle with maps looks like the mesh.
-    let maps = [SetMap { set: 0, map: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) } }];
+    let maps = [SetMap { set: 0, maps: UvMap { u: dvec4(0.5, 0.0, 0.0, 0.0), v: dvec4(0.0, 0.5, 0.0, 0.0) }.into() }];
     let mut model = Model::new();
     let (scope, quad) = (Scope::new(dvec3(2.0, 2.0, 0.0)), front(DVec3::ZERO, 2.0, 2.0));
     assert!(model.quad(&Leaf::new(&Text::fixed("Square"), &material, &scope).with_uvs(&maps), &quad).is_continue());

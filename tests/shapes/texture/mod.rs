@@ -2,6 +2,7 @@
 //! them), on boxes and on meshes, from templates and without.
 
 mod along;
+mod box_sides;
 mod caps;
 mod facts;
 mod hostile;

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec4};
 
 use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::uv_map::{SetMap, UvMap};
+use crate::geometry::uv_map::{FaceMaps, SetMap, UvMap};
 use crate::output::flatten::PlacedFace;
 use crate::run::sink::Replay;
 use crate::run::sink::corners::PlacedBox;
@@ -83,10 +83,17 @@ impl UvLists {
     /// Adds the coordinates of a rectangle, or of all faces of a box, whose vertices begin at `vertex`.
     pub(super) fn place(&mut self, maps: &[SetMap], placed: &PlacedBox, block: Option<UnitMesh>, vertex: usize) {
         let end = vertex + 4 * block.map_or(1, |unit| unit.face_count());
-        for SetMap { set, map } in maps {
+        for SetMap { set, maps } in maps {
             if let Some(list) = self.list(*set, end) {
                 let (faces, _) = list[vertex..end].as_chunks_mut::<4>();
-                Corners::of(&Columns::from(map), placed).write(faces, block);
+                match (maps, block) {
+                    (FaceMaps::Each(maps), Some(unit)) => {
+                        for ((to, face), map) in faces.iter_mut().zip(unit.sides()).zip(&**maps) {
+                            *to = Corners::of(&Columns::from(map), placed).side(face.corners);
+                        }
+                    }
+                    _ => Corners::of(&Columns::from(maps.of_face(0)), placed).write(faces, block),
+                }
             }
         }
     }
@@ -97,9 +104,10 @@ impl UvLists {
         for (leaf, mark) in replay.marks() {
             let (range, vertex_of_mark) = (first..first + mark.leaves, vertex + mark.before as usize);
             first = range.end;
-            for SetMap { set, map } in leaf.uvs_of(mark.look) {
+            for SetMap { set, maps } in leaf.uvs_of(mark.look) {
                 let Some(list) = self.list(*set, vertex + count) else { continue };
-                let map = Columns::from(map);
+                // Faces of a leaf of a template have the same map.
+                let map = Columns::from(maps.of_face(0));
                 let (mut faces, _) = list[vertex_of_mark..][..mark.corners].as_chunks_mut::<4>();
                 for (placed, record, _) in replay.leaves(range.clone()) {
                     let (own, rest) = faces.split_at_mut(record.unit.face_count());
@@ -152,6 +160,14 @@ impl Corners {
         } else if let [to] = faces {
             *to = self.quad();
         }
+    }
+
+    /// The coordinates of a side of a box, whose corners are numbers x + 2y + 4z.
+    #[inline]
+    fn side(&self, corners: [u8; 4]) -> [[f32; 2]; 4] {
+        let (o, [x, y, z]) = (self.first, self.sides);
+        let share = |corner: u8, bit: u8| f64::from(corner >> bit & 1);
+        corners.each(|at| (o + x * share(at, 0) + y * share(at, 1) + z * share(at, 2)).as_vec2().to_array())
     }
 
     /// The coordinates of a rectangle in the order of its vertices.

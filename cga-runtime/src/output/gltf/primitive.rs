@@ -193,11 +193,12 @@ impl Primitive {
         self.faces.cuboid(placed, unit, normals);
     }
 
-    /// Adds the texture coordinates of the last vertices, from their points in the world.
+    /// Adds the texture coordinates of the last vertices, four for each face, from their points in the world.
     pub(super) fn uvs(&mut self, maps: &[SetMap], points: impl Iterator<Item = DVec3> + Clone) {
         for (set, list) in self.sets.sets().zip(&mut self.uvs) {
-            if let Some(map) = uv_map::find(maps, set) {
-                list.extend(points.clone().map(|point| flipped(map.at(point))));
+            if let Some(maps) = uv_map::find(maps, set) {
+                let uv = |(corner, point)| flipped(maps.of_face(corner / 4).at(point));
+                list.extend(points.clone().enumerate().map(uv));
             }
         }
     }

@@ -84,10 +84,13 @@ impl SceneSink {
         });
     }
 
-    fn rectangle(&mut self, quad: &Quad, (paint, maps): (PaintId, Maps), uvs: &[SetMap]) {
+    /// Adds a rectangle, or a face of a box by its number.
+    fn rectangle(&mut self, quad: &Quad, face: usize, (paint, maps): (PaintId, Maps), uvs: &[SetMap]) {
         let (corners, normal) = (quad.corners(), unit(quad.u.cross(quad.v)));
         let sets = SetMask::of(|set| uv_map::find(uvs, set).is_some());
-        let uv = |set, corner: usize| uv_map::find(uvs, set).map_or(DVec2::ZERO, |map| map.at(corners[corner]));
+        let uv = |set, corner: usize| {
+            uv_map::find(uvs, set).map_or(DVec2::ZERO, |maps| maps.of_face(face).at(corners[corner]))
+        };
         self.add(Face::new(&corners, &[[0, 1, 2], [0, 2, 3]], normal, paint), &maps, sets, uv);
     }
 }
@@ -115,14 +118,14 @@ impl Sink for SceneSink {
     fn quad(&mut self, leaf: &Leaf<'_>, quad: &Quad) -> Flow {
         let material = self.leaf(leaf);
         let paint = self.paint(material);
-        self.rectangle(quad, paint, leaf.uvs());
+        self.rectangle(quad, 0, paint, leaf.uvs());
         ControlFlow::Continue(())
     }
 
     fn cuboid(&mut self, leaf: &Leaf<'_>, cuboid: &Cuboid) -> Flow {
         let material = self.leaf(leaf);
         let paint = self.paint(material);
-        cuboid.faces().iter().for_each(|face| self.rectangle(face, paint, leaf.uvs()));
+        cuboid.faces().iter().enumerate().for_each(|(at, face)| self.rectangle(face, at, paint, leaf.uvs()));
         ControlFlow::Continue(())
     }
 
@@ -131,7 +134,7 @@ impl Sink for SceneSink {
         if let Some(cuboid) = placeholder::placeholder(mesh, &leaf.scope()) {
             let shown = self.table.material(&placeholder::material());
             let paint = self.paint(shown);
-            cuboid.faces().iter().for_each(|face| self.rectangle(face, paint, &[]));
+            cuboid.faces().iter().for_each(|face| self.rectangle(face, 0, paint, &[]));
         }
         let mut flattener = std::mem::take(&mut self.flattener);
         let (mut corners, mut normals) = (std::mem::take(&mut self.corners), std::mem::take(&mut self.normals));

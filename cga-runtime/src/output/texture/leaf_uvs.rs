@@ -53,13 +53,13 @@ mod tests {
 
     #[test]
     fn leaves_have_their_maps_and_equal_lists_are_kept_once() {
-        let list = |u| [SetMap { set: 0, map: UvMap { u: DVec4::splat(u), v: DVec4::X } }];
+        let list = |u| [SetMap { set: 0, maps: UvMap { u: DVec4::splat(u), v: DVec4::X }.into() }];
         let mut uvs = LeafUvs::default();
         for (leaf, u) in [(1, Some(1.0)), (2, None), (3, Some(2.0)), (4, Some(1.0)), (5, Some(2.0))] {
             uvs.add(leaf, u.map(list).as_ref().map_or(&[], |list| &list[..]));
         }
         assert_eq!(
-            [0, 1, 2, 3, 4, 5].map(|leaf| uvs.of(leaf).first().map_or(0.0, |map| map.map.u.x)),
+            [0, 1, 2, 3, 4, 5].map(|leaf| uvs.of(leaf).first().map_or(0.0, |own| own.maps.of_face(0).u.x)),
             [0.0, 1.0, 0.0, 2.0, 1.0, 2.0]
         );
         assert_eq!(uvs.lists.len(), 2);

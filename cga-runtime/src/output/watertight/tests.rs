@@ -37,7 +37,7 @@ fn corners(model: &Model) -> Vec<usize> {
 fn the_point_in_an_edge_has_values_between_its_ends() {
     let map = UvMap { u: DVec4::new(0.5, 0.0, 0.0, 0.0), v: DVec4::new(0.0, 2.0, 0.0, 0.0) };
     let mut sink = Watertight::new(Model::new());
-    with_leaf(&[SetMap { set: 0, map }], |leaf| {
+    with_leaf(&[SetMap { set: 0, maps: map.into() }], |leaf| {
         assert!(storeys().iter().all(|quad| sink.quad(&leaf, quad).is_continue()));
     });
     let model = sink.into_inner();

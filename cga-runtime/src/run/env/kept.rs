@@ -11,6 +11,7 @@ use crate::fixed_hash::FixedState;
 use crate::geometry::mesh::Mesh;
 use crate::geometry::primitive::PrimitiveKind;
 use crate::shape::edge_attributes::SampledAttributes;
+use crate::shape::texture::SharedSets;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
@@ -38,6 +39,8 @@ pub(crate) struct KeptResults {
     pub(crate) tables: BTreeMap<File, Array<Text>>,
     /// The widths and heights of images.
     pub(crate) image_sizes: BTreeMap<File, Result<(u32, u32), AssetError>>,
+    /// The meshes of leaves with changed texture coordinates.
+    pub(crate) shared_sets: SharedSets,
     /// The attributes of the edges of the initial shape, once a rule has asked for them.
     pub(super) edge_attributes: Option<Option<Arc<SampledAttributes>>>,
 }

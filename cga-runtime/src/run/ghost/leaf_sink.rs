@@ -37,8 +37,8 @@ impl Sink for LeafGhost {
         self.add(Body::from(leaf.shape))
     }
 
-    fn keep(&mut self, shape: &Shape) -> Option<Flow> {
-        Some(self.add(Body::from(shape)))
+    fn keep(&mut self, shape: &dyn Fn() -> Shape) -> Option<Flow> {
+        Some(self.add(Body::from(&shape())))
     }
 
     fn mesh(&mut self, _: &Leaf<'_>, mesh: &Arc<Mesh>, placement: &DAffine3) -> Flow {

@@ -15,7 +15,7 @@ use self::corners::PlacedBox;
 
 use crate::geometry::each::Each;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::uv_map::{self, SetMap, UvMap};
+use crate::geometry::uv_map::{self, FaceMaps, SetMap};
 use crate::material::Material;
 use crate::run::building::Building;
 use crate::shape::base::{Base, Form};
@@ -76,7 +76,7 @@ impl<'a> Leaf<'a> {
 
     /// The texture coordinates of a set on a rectangle or a box; `None` if it does not have the set. A mesh contains
     /// its sets.
-    pub fn uv(&self, set: usize) -> Option<UvMap> {
+    pub fn uv(&self, set: usize) -> Option<&'a FaceMaps> {
         uv_map::find(self.uvs(), set)
     }
 
@@ -137,7 +137,7 @@ impl<'a> Filled<'a> {
 
     /// The texture coordinates of a set; `None` if the leaf does not have the set. Leaves of a run with equal
     /// material numbers have the same sets.
-    pub fn uv(&self, set: usize) -> Option<UvMap> {
+    pub fn uv(&self, set: usize) -> Option<&'a FaceMaps> {
         uv_map::find(self.uvs(), set)
     }
 
@@ -268,7 +268,7 @@ pub trait Sink {
     /// Takes a leaf as a whole shape, with or without faces; `None` if the sink takes its geometry. Operations that go on
     /// with leaves take shapes.
     #[doc(hidden)]
-    fn keep(&mut self, _shape: &Shape) -> Option<Flow> {
+    fn keep(&mut self, _shape: &dyn Fn() -> Shape) -> Option<Flow> {
         None
     }
 
@@ -358,7 +358,7 @@ impl<S: Sink + ?Sized> Sink for &mut S {
         (**self).keeps_tree()
     }
 
-    fn keep(&mut self, shape: &Shape) -> Option<Flow> {
+    fn keep(&mut self, shape: &dyn Fn() -> Shape) -> Option<Flow> {
         (**self).keep(shape)
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec2, DVec3};
 
-use super::{Coordinates, CubeSides, Projections, UvSource};
+use super::{Coordinates, CubeSides, MAPPING, Projections, UvSource};
 use crate::geometry::Axis;
 use crate::geometry::mesh::{FaceRef, Mesh};
 use crate::geometry::work;
@@ -160,9 +160,6 @@ fn rigid_inverse(place: &DAffine3) -> DAffine3 {
     let turned = place.matrix3.transpose();
     DAffine3 { matrix3: turned, translation: -(turned * place.translation) }
 }
-
-/// The units of work of a corner whose texture coordinates are computed.
-const MAPPING: usize = 4;
 
 /// The mesh with all sets explicit. `place` maps it to the world. Some sets are missing if the work is to end.
 fn with_sets(mesh: &Mesh, place: &DAffine3, coordinates: &Coordinates, projections: &Projections) -> Mesh {

@@ -1,6 +1,7 @@
 //! The implicit texture coordinates of a shape.
 
 use std::hash::Hasher;
+use std::sync::Arc;
 
 use glam::{DAffine2, DAffine3, DMat3, DVec2, DVec3};
 
@@ -9,9 +10,12 @@ use crate::fixed_hash::FixedHasher;
 use crate::geometry::Axis;
 use crate::geometry::each::Each;
 use crate::geometry::mesh::map::normal_map;
+use crate::geometry::provenance::Provenance;
 use crate::geometry::tol::PLANAR_EPSILON;
-use crate::geometry::uv_map::UvMap;
+use crate::geometry::uv_map::{FaceMaps, SetMap, UvMap};
+use crate::geometry::work;
 use crate::shape::scope::Scope;
+use crate::shape::unit::{UnitFace, UnitMesh};
 
 /// The sets that rules have changed on a shape, sorted by number. Other sets come from its mesh.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -119,6 +123,11 @@ impl Coordinates {
         of_unit.abs_diff_eq(DAffine3::IDENTITY, most)
     }
 
+    /// Returns true if they follow from the mesh alone, wherever it is.
+    pub(crate) fn follow_the_mesh(&self) -> bool {
+        self.sets.iter().all(|entry| matches!(entry.source, UvSource::Deleted | UvSource::Own(_)))
+    }
+
     /// Returns true if some coordinates follow from the stored projection of a set.
     pub(crate) fn is_projected(&self, set: u8) -> bool {
         self.sets.iter().any(|entry| entry.source == UvSource::Stored(set))
@@ -212,6 +221,30 @@ impl Coordinates {
         Some((entry.source.fixed(projections), entry.change))
     }
 
+    /// The maps of the sets on a box that fills a scope, sorted by set. Caps have the coordinates (0, 0). Some sets are missing if the work is
+    /// to end.
+    pub(crate) fn on_box(&self, unit: UnitMesh, scope: &Scope, projections: &Projections) -> Vec<SetMap> {
+        let corners = 4 * unit.face_count();
+        let entries = self.sets.iter().take_while(|_| work::spend(super::MAPPING * corners));
+        let maps = entries.filter_map(|SetEntry { set, source, change }| {
+            let source = source.fixed(projections);
+            let maps = match &source {
+                UvSource::Deleted | UvSource::Own(_) | UvSource::Stored(_) => return None,
+                UvSource::Fixed(map) if !unit.has_unmapped_caps() => FaceMaps::Same(map.then(change)),
+                UvSource::Fixed(map) => {
+                    let map = map.then(change);
+                    each_side(unit, |_| map)
+                }
+                UvSource::Cube(cube) => {
+                    let turn = directions(cube) * scope.axes;
+                    each_side(unit, |normal| unit_cube_side(turn * normal).after(cube).then(change))
+                }
+            };
+            Some(SetMap { set: usize::from(*set), maps })
+        });
+        maps.collect()
+    }
+
     /// The entry of a set. A set of the mesh gets an entry with that source.
     fn entry(&self, set: u8) -> SetEntry {
         let own = || SetEntry { set, source: UvSource::Own(set), change: DAffine2::IDENTITY };
@@ -224,6 +257,13 @@ impl Coordinates {
             Err(at) => self.sets.insert(at, entry),
         }
     }
+}
+
+/// The maps of the faces of a box, by their normals in its scope. Caps have the coordinates (0, 0).
+fn each_side(unit: UnitMesh, map: impl Fn(DVec3) -> UvMap) -> FaceMaps {
+    let of_side =
+        |side: &UnitFace| if side.provenance == Provenance::Cut { UvMap::ZERO } else { map(side.side.normal()) };
+    FaceMaps::Each(Arc::new(unit.sides().each_ref().map(of_side)))
 }
 
 /// The coordinates of the side of a cube that contains a face with that normal (*primitiveCube operation*). `place` maps the world to the

@@ -14,9 +14,14 @@ mod bake;
 mod coordinates;
 pub(crate) mod kept;
 mod projections;
+mod shared_sets;
 
 pub(crate) use coordinates::{Coordinates, CubeSides, UvSource, unit_cube_side};
 pub(crate) use projections::Projections;
+pub(crate) use shared_sets::SharedSets;
+
+/// The units of work of a corner whose texture coordinates are computed.
+const MAPPING: usize = 4;
 
 /// The number of sets (*Texturing*: 0 to 9).
 pub(crate) const SETS: usize = crate::geometry::mesh::UvSets::MOST;
