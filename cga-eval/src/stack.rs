@@ -104,6 +104,19 @@ impl Stack {
         }
     }
 
+    /// A parameter or local, by its index among the numbers or the objects.
+    pub(crate) fn local(&self, frame: Frame, at: u32, ty: Type) -> Value {
+        let number = || self.numbers.get(frame.numbers + at as usize).copied().unwrap_or_default();
+        match ty {
+            Type::Float => Value::Float(number()),
+            Type::Bool => Value::Bool(number() != 0.0),
+            _ => {
+                let object = self.objects.get(frame.objects + at as usize).cloned();
+                object.and_then(Object::into_value).unwrap_or_else(|| nothing(ty))
+            }
+        }
+    }
+
     /// The values of a frame from its beginning on.
     #[cold]
     pub(crate) fn values(&self, types: &[Type], frame: Frame) -> Vec<Value> {

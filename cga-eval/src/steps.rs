@@ -81,17 +81,19 @@ pub(crate) enum SlimStep {
     Says(Code, FunctionCall),
     /// Changes the scope.
     Scope(Code, SlimCall),
-    /// Changes the material in the same way each time.
+    /// Changes the material in the same way each time, for equal parameters.
     Material(MaterialStep),
 }
 
-/// A change of the material whose result is kept.
+/// Changes of the material that follow each other, whose result is kept.
 #[derive(Debug)]
 pub(crate) struct MaterialStep {
-    pub(crate) step: WholeStep,
+    pub(crate) steps: Box<[WholeStep]>,
     /// By site, the place of the change; one if it does not depend on the site.
     pub(crate) places: Box<[ChangePlace]>,
     pub(crate) reaches_caps: bool,
+    /// The parameters on which it depends: the index of each among the numbers or the objects.
+    pub(crate) params: Box<[(u32, cga_lang::ir::Type)]>,
 }
 
 /// A step on a whole shape.

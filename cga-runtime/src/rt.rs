@@ -36,8 +36,8 @@ pub use crate::run::rules::{Checked, RuleTables, Rules, entries, list, names, te
 pub use crate::run::settings::Settings;
 pub use crate::run::sink::{Flow, Sink};
 pub use crate::run::start_rule::StartRule;
-pub use crate::run::template::{Read, RepeatedSlot};
-pub use crate::shape::look_id::ChangePlace;
+pub use crate::run::template::RepeatedSlot;
+pub use crate::shape::look_changes::ChangePlace;
 pub use crate::shape::slim::{become_successor, hand_on, push, successor};
 pub use crate::shape::step_bases::Bases;
 pub use crate::shape::view::View;
@@ -48,6 +48,7 @@ pub use crate::split::row::{Pattern, Row};
 pub use crate::split::walk::{Split, Successor, split, split_area, split_solved, split_texture};
 pub use crate::split::{Adjust, Item, Piece, Size, solve};
 pub use crate::value::array::Array;
+pub use crate::value::read::Read;
 pub use crate::value::text::Text;
 pub use crate::value::{Value, ValueType};
 

@@ -37,6 +37,11 @@ pub(super) struct Compiler<'g> {
 pub(super) struct Locals(Vec<u32>);
 
 impl Locals {
+    /// The index of a parameter.
+    pub(super) fn index(&self, number: u32) -> u32 {
+        self.0[number as usize]
+    }
+
     pub(super) fn new(params: &[Param]) -> Self {
         let mut counts = [0, 0];
         let index = |param: &Param| {
@@ -149,7 +154,7 @@ impl Compiler<'_> {
         match &expr.kind {
             ExprKind::Value(known) => steps.value(known),
             ExprKind::Param(number) => {
-                let at = locals.0[*number as usize];
+                let at = locals.index(*number);
                 steps.add(if is_number(expr.ty) { Instruction::LocalNumber(at) } else { Instruction::LocalObject(at) });
             }
             ExprKind::Global(id) => self.global(*id, steps),

@@ -76,9 +76,13 @@ impl Compiler<'_> {
     /// Steps that change the current shape.
     fn changed(&self, steps: &[Step], at: InRule<'_>) -> StepCode {
         if let ChangeForm::Slim(changes) = self.plan.change_form(steps) {
-            let slim = steps.iter().zip(changes);
-            let slim = slim.filter_map(|(step, change)| self.found(step, self.slim(step, change, at)));
-            return StepCode::Slim(slim.collect());
+            let (mut slim, mut rest) = (Vec::new(), steps);
+            for change in changes {
+                let (own, behind) = rest.split_at(change.steps());
+                slim.extend(own.first().and_then(|first| self.found(first, self.slim(own, change, at))));
+                rest = behind;
+            }
+            return StepCode::Slim(slim.into());
         }
         StepCode::Whole(steps.iter().filter_map(|step| self.found(step, self.whole(step, at))).collect())
     }
@@ -91,8 +95,8 @@ impl Compiler<'_> {
         code
     }
 
-    fn slim(&self, step: &Step, change: SlimChange, at: InRule<'_>) -> Option<SlimStep> {
-        match (change, &step.kind) {
+    fn slim(&self, steps: &[Step], change: SlimChange, at: InRule<'_>) -> Option<SlimStep> {
+        match (change, &steps.first()?.kind) {
             (SlimChange::Nothing, StepKind::Do(row, args)) => {
                 let (args, call) = self.says(row, args, at)?;
                 Some(SlimStep::Says(args, call))
@@ -101,13 +105,15 @@ impl Compiler<'_> {
                 let call = dispatch::slim::call(&row.key(), args)?;
                 Some(SlimStep::Scope(self.args(row.params, args, at.locals), call))
             }
-            (SlimChange::Material { sites, is_of_run, reaches_caps }, _) => {
-                let place = if is_of_run { ChangePlace::of_run } else { ChangePlace::lasting };
+            (SlimChange::Material(change), _) => {
+                let place = if change.is_of_run { ChangePlace::of_run } else { ChangePlace::lasting };
                 let first = self.changes.get();
-                let count = sites.max(1);
+                let count = change.sites.max(1);
                 self.changes.set(first + count);
                 let places = (first..first + count).map(place).collect();
-                Some(SlimStep::Material(MaterialStep { step: self.whole(step, at)?, places, reaches_caps }))
+                let params = change.params.iter().map(|(number, ty)| (at.locals.index(*number), *ty)).collect();
+                let steps = steps.iter().filter_map(|step| self.found(step, self.whole(step, at))).collect();
+                Some(SlimStep::Material(MaterialStep { steps, places, reaches_caps: change.reaches_caps, params }))
             }
             (SlimChange::Nothing | SlimChange::Scope, _) => None,
         }

@@ -2,7 +2,7 @@
 
 use std::ops::ControlFlow;
 
-use cga_runtime::rt::{self, Bases, Cx, Env, Shape, ShapeRef, host, set, slim};
+use cga_runtime::rt::{self, Bases, Cx, Env, Read, Shape, ShapeRef, Value, host, set, slim};
 use cga_runtime::shape::scope::Scope;
 
 use super::values::Values;
@@ -57,14 +57,21 @@ impl Values {
         frame: Frame,
     ) -> &'s ShapeRef<'b> {
         let place = step.places.get(frame.site as usize).unwrap_or(&step.places[0]);
-        let change = |(values, step, frame): &(&Values, &WholeStep, Frame), env: &mut Env, shape: &mut Shape| {
-            let _: ControlFlow<()> = values.change(env, shape, None, step, *frame);
+        let change = |env: &mut Env, shape: &mut Shape| {
+            for step in &step.steps {
+                // A material has no more to do when the run has ended.
+                let _: ControlFlow<()> = self.change(env, shape, None, step, frame);
+            }
         };
-        let values = &(self, &step.step, frame);
+        let params: Vec<Value> = {
+            let stack = self.stack.borrow();
+            step.params.iter().map(|(at, ty)| stack.local(frame, *at, *ty)).collect()
+        };
+        let reads: Vec<Read<'_>> = params.iter().map(Read::from).collect();
         if step.reaches_caps {
-            slim::change_coordinates(env, shape, bases, own, *place, values, change)
+            slim::change_coordinates(env, shape, bases, own, *place, &reads, &change)
         } else {
-            slim::change_material(env, shape, bases, own, *place, values, change)
+            slim::change_material(env, shape, bases, own, *place, &reads, &change)
         }
     }
 

@@ -139,14 +139,7 @@ enum KeptRead {
 
 fn read(kept: &KeptRead) -> Read<'_> {
     match kept {
-        KeptRead::Value(Value::Float(number)) => Read::Float(*number),
-        KeptRead::Value(Value::Bool(truth)) => Read::Bool(*truth),
-        KeptRead::Value(Value::Text(text)) => Read::Text(text),
-        KeptRead::Value(Value::Floats(array)) => Read::Floats(array),
-        KeptRead::Value(Value::Bools(array)) => Read::Bools(array),
-        KeptRead::Value(Value::Texts(array)) => Read::Texts(array),
-        // The language has no further types.
-        KeptRead::Value(_) => Read::Bool(false),
+        KeptRead::Value(value) => Read::from(value),
         KeptRead::Run(run) => Read::Run(*run),
     }
 }

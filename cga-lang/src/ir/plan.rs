@@ -42,7 +42,7 @@ use crate::ir::{GlobalId, Grammar, RuleId, Slots, Target};
 use crate::ops::Uses;
 use std::collections::HashSet;
 
-pub use changes::{ChangeForm, SlimChange, reads_first_scope};
+pub use changes::{ChangeForm, MaterialChange, SlimChange, reads_first_scope};
 pub use function_stack::FunctionStack;
 pub use leaves::LeafNames;
 pub use rule_stack::{RuleStack, StackRequest};

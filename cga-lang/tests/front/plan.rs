@@ -1,7 +1,7 @@
 //! Decisions on grammars whose rules are shared by several sites of an import.
 
 use crate::common::parts::Parts;
-use cga_lang::ir::plan::{ChangeForm, RunPlan, SlimChange};
+use cga_lang::ir::plan::{ChangeForm, MaterialChange, RunPlan, SlimChange};
 use cga_lang::ir::{Grammar, RuleId};
 
 fn grammar(text: &str) -> Grammar {
@@ -36,5 +36,6 @@ fn a_material_change_can_depend_on_the_site() {
     );
     let (plan, wall) = (RunPlan::new(&grammar), rule(&grammar, "a.Wall"));
     let form = plan.change_form(&grammar.rules[wall.0 as usize].body[..1]);
-    assert_eq!(form, ChangeForm::Slim(vec![SlimChange::Material { sites: 2, is_of_run: false, reaches_caps: false }]));
+    let change = MaterialChange { steps: 1, sites: 2, ..MaterialChange::default() };
+    assert_eq!(form, ChangeForm::Slim(vec![SlimChange::Material(change)]));
 }

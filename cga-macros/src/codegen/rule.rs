@@ -190,8 +190,12 @@ impl Generator<'_> {
     /// Steps that change the current shape.
     fn changed(&self, steps: &[Step]) -> TokenStream {
         if let ChangeForm::Slim(changes) = self.plan.change_form(steps) {
-            let code = steps.iter().zip(&changes).map(|(step, change)| self.at(step.span, || self.slim(step, *change)));
-            let code: TokenStream = code.collect();
+            let (mut code, mut rest) = (TokenStream::new(), steps);
+            for change in &changes {
+                let (own, behind) = rest.split_at(change.steps());
+                code.extend(self.slim(own, change));
+                rest = behind;
+            }
             let bases = code!(let bases = cga_rt::Bases::new(););
             return if changes.iter().any(|change| *change != SlimChange::Nothing) {
                 quote!(#bases #code)
@@ -213,8 +217,18 @@ impl Generator<'_> {
         }
     }
 
-    /// A step on the slim shape.
-    fn slim(&self, step: &Step, change: SlimChange) -> TokenStream {
+    /// Steps on the slim shape.
+    fn slim(&self, steps: &[Step], change: &SlimChange) -> TokenStream {
+        let Some(first) = steps.first() else { return TokenStream::new() };
+        if let SlimChange::Material(change) = change {
+            let code = steps.iter().map(|step| self.at(step.span, || self.change(step))).collect();
+            return self.at(first.span, || self.change_material(change, code));
+        }
+        self.at(first.span, || self.slim_step(first, change))
+    }
+
+    /// A step on the slim shape that does not change the material.
+    fn slim_step(&self, step: &Step, change: &SlimChange) -> TokenStream {
         match (change, &step.kind) {
             (SlimChange::Nothing, StepKind::Do(operation, args)) => {
                 let none = TokenStream::new();
@@ -232,11 +246,7 @@ impl Generator<'_> {
                     };
                 }
             }
-            (SlimChange::Material { sites, is_of_run, reaches_caps }, _) => {
-                let function = if reaches_caps { "change_coordinates" } else { "change_material" };
-                self.change_material(sites, is_of_run, function, self.change(step))
-            }
-            (SlimChange::Nothing | SlimChange::Scope, _) => TokenStream::new(),
+            _ => TokenStream::new(),
         }
     }
 

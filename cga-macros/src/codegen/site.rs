@@ -5,7 +5,10 @@ use std::collections::HashMap;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 
-use super::{Generator, hygienic, local};
+use cga_lang::ir::Type;
+use cga_lang::ir::plan::MaterialChange;
+
+use super::{Generator, hygienic, local, types};
 
 /// Changes of the material that are the same in the whole run, or at a site.
 #[derive(Default)]
@@ -42,35 +45,57 @@ pub(super) fn of_site(numbers: &[u32]) -> TokenStream {
 }
 
 impl Generator<'_> {
-    /// A step that changes the material in the same way in the whole run, or at a site: it depends on
-    /// `sites`, `change` is its code, and `function` the function of the runtime that applies it. `is_of_run` is true if it may differ
-    /// between runs.
-    pub(super) fn change_material(
-        &self,
-        sites: u32,
-        is_of_run: bool,
-        function: &str,
-        change: TokenStream,
-    ) -> TokenStream {
-        let changes = &mut *self.material_changes.borrow_mut();
-        let next = changes.next;
-        // Equal steps are one.
-        let number = changes.known.entry((change.to_string(), sites)).or_insert((next, change)).0;
-        if number == next {
-            changes.next += sites.max(1);
-        }
-        let (name, number) = (local("material_", number as usize), Literal::u32_unsuffixed(number));
-        let function = hygienic(function);
-        let (number, values) = match sites {
-            0 => (code!(#number), code!(g)),
-            _ => (code!(#number + site), code!(&(g, site))),
+    /// Steps that change the material in the same way in the whole run, or at a site, or for equal parameters. `code` is their code.
+    pub(super) fn change_material(&self, change: &MaterialChange, code: TokenStream) -> TokenStream {
+        let MaterialChange { sites, is_of_run, reaches_caps, params, .. } = change;
+        let (number, code) = match params.is_empty() {
+            true => self.shared_change(*sites, code),
+            false => (self.change_number(*sites), code!({ let cx = cga_rt::MaterialCx { env }; #code })),
         };
-        let kind = hygienic(if is_of_run { "of_run" } else { "lasting" });
+        let number = Literal::u32_unsuffixed(number);
+        let number = if *sites == 0 { code!(#number) } else { code!(#number + site) };
+        let function = hygienic(if *reaches_caps { "change_coordinates" } else { "change_material" });
+        let kind = hygienic(if *is_of_run { "of_run" } else { "lasting" });
         let place = code!(cga_rt::ChangePlace::#kind(#number));
+        let reads = params.iter().map(|(number, ty)| {
+            let (variant, name) = (types::variant(*ty), self.param(*number as usize));
+            let value = if matches!(ty, Type::Float | Type::Bool) { code!(#name) } else { code!(&#name) };
+            code!(cga_rt::Read::#variant(#value))
+        });
         code! {
             let mut own = ::core::option::Option::None;
-            let shape = cga_rt::slim::#function(cx.env, shape, &bases, &mut own, #place, #values, CgaValues::#name);
+            let shape = cga_rt::slim::#function(
+                cx.env,
+                shape,
+                &bases,
+                &mut own,
+                #place,
+                &[#(#reads),*],
+                &|env: &mut cga_rt::Env, shape: &mut cga_rt::Shape| #code,
+            );
         }
+    }
+
+    /// The number of a change without parameters, and a call of its function. Equal ones have one.
+    fn shared_change(&self, sites: u32, change: TokenStream) -> (u32, TokenStream) {
+        let key = (change.to_string(), sites);
+        let known = self.material_changes.borrow().known.get(&key).map(|(number, _)| *number);
+        let number = known.unwrap_or_else(|| {
+            let number = self.change_number(sites);
+            self.material_changes.borrow_mut().known.insert(key, (number, change));
+            number
+        });
+        let (name, values) =
+            (local("material_", number as usize), if sites == 0 { code!(g) } else { code!(&(g, site)) });
+        (number, code!(CgaValues::#name(#values, env, shape)))
+    }
+
+    /// The first number of a change that depends on `sites`.
+    fn change_number(&self, sites: u32) -> u32 {
+        let next = &mut self.material_changes.borrow_mut().next;
+        let number = *next;
+        *next += sites.max(1);
+        number
     }
 
     /// One function for each such change. The rules come first.

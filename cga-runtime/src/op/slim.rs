@@ -11,10 +11,12 @@ use crate::geometry::Axis;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::base::Form;
-use crate::shape::look_id::{ChangePlace, LookId};
+use crate::shape::look_changes::ChangePlace;
+use crate::shape::look_id::LookId;
 use crate::shape::scope::Scope;
 use crate::shape::step_bases::Bases;
 use crate::shape::{Shape, ShapeRef};
+use crate::value::read::Read;
 
 /// `t(x, y, z)`, see [`super::translate`].
 #[inline(never)]
@@ -113,34 +115,35 @@ pub fn extrude<'s, 'b>(
     shape
 }
 
-/// An operation that changes only the material of the look. With constant arguments its result is found once for each previous
-/// look; `place` counts such operations in the rules.
+/// An operation that changes only the material of the look, at a place in the rules. Its result is found once for each previous look, and
+/// for the values that it reads.
 #[inline(never)]
-pub fn change_material<'s, 'b, G>(
+#[allow(clippy::too_many_arguments, reason = "generated code calls it")]
+pub fn change_material<'s, 'b>(
     env: &mut Env,
     shape: &'s ShapeRef<'b>,
     bases: &'b Bases,
     own: &'s mut Option<ShapeRef<'b>>,
     place: ChangePlace,
-    g: &G,
-    change: fn(&G, &mut Env, &mut Shape),
+    reads: &[Read<'_>],
+    change: &dyn Fn(&mut Env, &mut Shape),
 ) -> &'s ShapeRef<'b> {
     let looks = &mut env.leaf_tables.looks;
-    if shape.look.get() == LookId::OF_BASE {
+    if shape.look.get() == LookId::OF_BASE && looks.keeps_more(place, reads) {
         shape.look.set(looks.number(shape.base.shape.state.look()));
     }
     let before = shape.look.get();
-    if let Some(after) = looks.changed(place, before) {
+    if let Some(after) = looks.changed(place, before, reads) {
         shape.look.set(after);
         return shape;
     }
     let faults = env.fault_count();
     // A look with a number is made once and does not count.
     let counts = std::mem::replace(&mut env.counts_looks, false);
-    let changed = whole(env, shape, bases, |env, shape| change(g, env, shape));
+    let changed = whole(env, shape, bases, change);
     env.counts_looks = counts;
     if before != LookId::OF_BASE && faults == env.fault_count() {
-        let after = env.leaf_tables.looks.change(place, before, changed.base.shape.state.look());
+        let after = env.leaf_tables.looks.change(place, before, reads, changed.base.shape.state.look());
         if after != LookId::OF_BASE {
             shape.look.set(after);
             return shape;
@@ -152,19 +155,20 @@ pub fn change_material<'s, 'b, G>(
 
 /// As [`change_material`] for an operation on texture coordinates. Caps become faces like others.
 #[inline(never)]
-pub fn change_coordinates<'s, 'b, G>(
+#[allow(clippy::too_many_arguments, reason = "generated code calls it")]
+pub fn change_coordinates<'s, 'b>(
     env: &mut Env,
     shape: &'s ShapeRef<'b>,
     bases: &'b Bases,
     own: &'s mut Option<ShapeRef<'b>>,
     place: ChangePlace,
-    g: &G,
-    change: fn(&G, &mut Env, &mut Shape),
+    reads: &[Read<'_>],
+    change: &dyn Fn(&mut Env, &mut Shape),
 ) -> &'s ShapeRef<'b> {
     if shape.has_unmapped_caps() {
-        return own.insert(whole(env, shape, bases, |env, shape| change(g, env, shape)));
+        return own.insert(whole(env, shape, bases, change));
     }
-    change_material(env, shape, bases, own, place, g, change)
+    change_material(env, shape, bases, own, place, reads, change)
 }
 
 /// Applies an operation to the whole shape.

@@ -11,9 +11,11 @@ use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 use super::look::Look;
+use super::look_changes::{ChangePlace, Changes};
 use crate::fixed_hash::FixedState;
 use crate::material::Color;
 use crate::shape::state::UNSET;
+use crate::value::read::Read;
 
 /// The number of a look in the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,25 +59,6 @@ const MOST_OTHERS: usize = 1 << 12;
 /// The number of looks that a session keeps for its next run.
 const MANY: usize = 1024;
 
-/// A change of the look in the rules whose result depends on the look before it alone.
-#[derive(Clone, Copy, Debug)]
-pub struct ChangePlace {
-    number: u32,
-    is_of_run: bool,
-}
-
-impl ChangePlace {
-    /// A change that is the same in all runs of a session.
-    pub const fn lasting(number: u32) -> Self {
-        ChangePlace { number, is_of_run: false }
-    }
-
-    /// A change that is the same in one run.
-    pub const fn of_run(number: u32) -> Self {
-        ChangePlace { number, is_of_run: true }
-    }
-}
-
 /// The looks of a run by number, and the results of changes.
 #[derive(Clone, Debug)]
 pub(crate) struct LookIds {
@@ -94,15 +77,6 @@ pub(crate) struct LookIds {
     made: u32,
     lasting: Changes,
     of_run: Changes,
-}
-
-/// The results of changes with constant arguments.
-#[derive(Clone, Debug, Default)]
-struct Changes {
-    /// By place in the rules: the look before the operation and the look after it, as found last.
-    last: Vec<Option<(LookId, LookId)>>,
-    /// All results: the look after an operation, by its place and the look before.
-    all: BTreeMap<(u32, u32), LookId>,
 }
 
 impl Default for LookIds {
@@ -263,41 +237,39 @@ impl LookIds {
         self.temporary.truncate(count);
     }
 
-    /// The result of a change, if an earlier one at the same place began with the look `before`.
+    /// The result of a change, if an earlier one at the same place began with the look `before` and read the same values.
     #[inline]
-    pub(crate) fn changed(&mut self, place: ChangePlace, before: LookId) -> Option<LookId> {
-        let changes = if place.is_of_run { &mut self.of_run } else { &mut self.lasting };
-        match changes.last.get(place.number as usize) {
-            Some(&Some((known, after))) if known == before => Some(after),
-            _ => changes.changed_before(place.number, before),
-        }
+    pub(crate) fn changed(&mut self, place: ChangePlace, before: LookId, reads: &[Read<'_>]) -> Option<LookId> {
+        self.changes(place).after(place.number, before, reads)
     }
 
-    /// The number of the look after a change, which is kept if both looks have a lasting number.
-    pub(crate) fn change(&mut self, place: ChangePlace, before: LookId, look: &Arc<Look>) -> LookId {
-        let after = self.intern(look);
+    /// Returns true if results of a change are kept: a change that reads values keeps a few.
+    pub(crate) fn keeps_more(&mut self, place: ChangePlace, reads: &[Read<'_>]) -> bool {
+        reads.is_empty() || self.changes(place).has_room(place.number)
+    }
+
+    /// The number of the look after a change, which is kept if both looks have a lasting number. `OF_BASE` if there is no room.
+    pub(crate) fn change(
+        &mut self,
+        place: ChangePlace,
+        before: LookId,
+        reads: &[Read<'_>],
+        look: &Arc<Look>,
+    ) -> LookId {
+        let is_constant = reads.is_empty();
+        if !is_constant && (!before.is_lasting() || !self.keeps_more(place, reads)) {
+            return LookId::OF_BASE;
+        }
+        let after = if is_constant { self.intern(look) } else { self.number(look) };
         if before.is_lasting() && after != LookId::OF_BASE {
-            let changes = if place.is_of_run { &mut self.of_run } else { &mut self.lasting };
-            changes.keep(place.number, before, after);
+            self.changes(place).keep(place.number, before, reads, after);
         }
         after
     }
-}
 
-impl Changes {
-    #[cold]
-    #[inline(never)]
-    fn changed_before(&mut self, place: u32, before: LookId) -> Option<LookId> {
-        let after = *self.all.get(&(place, before.0))?;
-        self.last[place as usize] = Some((before, after));
-        Some(after)
-    }
-
-    fn keep(&mut self, place: u32, before: LookId, after: LookId) {
-        self.all.insert((place, before.0), after);
-        let place = place as usize;
-        self.last.resize(self.last.len().max(place + 1), None);
-        self.last[place] = Some((before, after));
+    #[inline]
+    fn changes(&mut self, place: ChangePlace) -> &mut Changes {
+        if place.is_of_run { &mut self.of_run } else { &mut self.lasting }
     }
 }
 
@@ -314,6 +286,7 @@ fn address(look: &Arc<Look>) -> u64 {
 mod tests {
     use super::*;
     use crate::material::Material;
+    use crate::value::text::Text;
 
     fn named(number: usize) -> Arc<Look> {
         let name = Some(number.to_string().as_str().into());
@@ -338,25 +311,54 @@ mod tests {
         let place = ChangePlace::lasting(0);
         for _ in 0..3 {
             for &before in &before {
-                if ids.changed(place, before).is_none() {
-                    let after = ids.change(place, before, &named(1000 + before.0 as usize));
-                    assert_eq!(ids.changed(place, before), Some(after));
+                if ids.changed(place, before, &[]).is_none() {
+                    let after = ids.change(place, before, &[], &named(1000 + before.0 as usize));
+                    assert_eq!(ids.changed(place, before, &[]), Some(after));
                 }
             }
         }
         assert_eq!(ids.list.len(), 1 + 2 * 200);
-        assert_eq!(ids.changed(ChangePlace::lasting(1), before[0]), None);
-        assert_eq!(ids.changed(ChangePlace::of_run(0), before[0]), None);
+        assert_eq!(ids.changed(ChangePlace::lasting(1), before[0], &[]), None);
+        assert_eq!(ids.changed(ChangePlace::of_run(0), before[0], &[]), None);
+    }
+
+    #[test]
+    fn a_change_with_values_is_found_by_them_and_a_place_with_many_keeps_the_first() {
+        let mut ids = LookIds::default();
+        let before = ids.number(&named(0));
+        let place = ChangePlace::lasting(5);
+        let text = |number: usize| Text::from(number.to_string().as_str());
+        for number in 0..100 {
+            let (text, kept) = (text(number), number < 64);
+            let reads = [Read::Float(number as f64), Read::Text(&text)];
+            assert_eq!(ids.changed(place, before, &reads), None);
+            let after = ids.change(place, before, &reads, &named(1000 + number));
+            assert_eq!((ids.changed(place, before, &reads), after != LookId::OF_BASE), (kept.then_some(after), kept));
+        }
+        let count = ids.list.len();
+        assert_eq!(count, 2 + 64);
+        let (one, two) = (text(1), text(2));
+        for reads in [[Read::Float(1.0), Read::Text(&two)], [Read::Bool(true), Read::Text(&one)]] {
+            assert_eq!(ids.changed(place, before, &reads), None);
+        }
+        let reads = [Read::Float(1.0), Read::Text(&one)];
+        assert_eq!(ids.changed(place, before, &reads), Some(ids.id(&ids.list[3].clone())));
+        let others = [(place, LookId(0)), (ChangePlace::lasting(4), before), (ChangePlace::of_run(5), before)];
+        assert!(others.iter().all(|(place, before)| ids.changed(*place, *before, &reads).is_none()));
+        // Temporary numbers are not kept.
+        let temporary = LookId(7 | LookId::TEMPORARY);
+        assert_eq!(ids.change(ChangePlace::lasting(6), temporary, &reads, &named(7)), LookId::OF_BASE);
+        assert_eq!(ids.list.len(), count);
     }
 
     #[test]
     fn a_change_of_a_run_ends_with_it() {
         let mut ids = LookIds::default();
         let place = ChangePlace::of_run(3);
-        ids.change(place, LookId(0), &named(1));
-        assert!(ids.changed(place, LookId(0)).is_some());
+        ids.change(place, LookId(0), &[], &named(1));
+        assert!(ids.changed(place, LookId(0), &[]).is_some());
         ids.begin();
-        assert!(ids.changed(place, LookId(0)).is_none());
+        assert!(ids.changed(place, LookId(0), &[]).is_none());
     }
 
     /// A look with a colour and an opacity.
@@ -410,8 +412,11 @@ mod tests {
         assert!(later != numbers[1] && ids.get(later) == Some(&others[1]));
         // A constant change still has room.
         let place = ChangePlace::lasting(0);
-        assert!(ids.change(place, LookId(0), &named(9999)).is_lasting() && ids.changed(place, LookId(0)).is_some());
-        ids.change(place, numbers[0], &named(9999));
-        assert_eq!(ids.changed(place, numbers[0]), None);
+        assert!(
+            ids.change(place, LookId(0), &[], &named(9999)).is_lasting()
+                && ids.changed(place, LookId(0), &[]).is_some()
+        );
+        ids.change(place, numbers[0], &[], &named(9999));
+        assert_eq!(ids.changed(place, numbers[0], &[]), None);
     }
 }

@@ -13,6 +13,7 @@ pub(crate) mod filled_scope;
 mod geo;
 mod initial;
 pub(crate) mod look;
+pub(crate) mod look_changes;
 pub(crate) mod look_id;
 pub(crate) mod lot;
 mod placed;

@@ -4,6 +4,7 @@ pub mod array;
 pub(crate) mod compare;
 pub(crate) mod number;
 pub(crate) mod pattern;
+pub(crate) mod read;
 #[cfg(feature = "serde")]
 mod serde;
 pub(crate) mod shown;

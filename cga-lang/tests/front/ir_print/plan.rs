@@ -1,7 +1,7 @@
 //! Decisions on how rules run: in brackets after what they concern, or one line an item.
 
 use super::Printer;
-use cga_lang::ir::plan::{ChangeForm, SlimChange, SplitForm, reads_first_scope};
+use cga_lang::ir::plan::{ChangeForm, MaterialChange, SlimChange, SplitForm, reads_first_scope};
 use cga_lang::ir::{Block, FunctionId, GlobalId, Slots, Step, Target};
 
 impl Printer<'_> {
@@ -42,7 +42,7 @@ impl Printer<'_> {
         parts
     }
 
-    /// By step, the form in which it changes the current shape: on the slim shape, and once a run or once a site if it is a
+    /// By step, the form in which it changes the current shape: on the slim shape, and once a run, a site or a value if it is a
     /// material change. Without a note it works on a whole shape.
     pub(super) fn changes(&self, steps: &[Step]) -> Vec<String> {
         let mut notes = Vec::new();
@@ -50,10 +50,14 @@ impl Printer<'_> {
             let form = if steps[0].changes_shape() { self.plan.change_form(steps) } else { ChangeForm::Whole };
             match form {
                 ChangeForm::Whole => notes.extend(steps.iter().map(|_| String::new())),
-                ChangeForm::Slim(changes) => notes.extend(changes.into_iter().map(|change| match change {
-                    SlimChange::Nothing | SlimChange::Scope => " [slim]".to_owned(),
-                    SlimChange::Material { sites: 0, .. } => " [slim, once a run]".to_owned(),
-                    SlimChange::Material { .. } => " [slim, once a site]".to_owned(),
+                ChangeForm::Slim(changes) => notes.extend(changes.iter().flat_map(|change| {
+                    let note = match change {
+                        SlimChange::Nothing | SlimChange::Scope => " [slim]",
+                        SlimChange::Material(change) if !change.params.is_empty() => " [slim, once for each value]",
+                        SlimChange::Material(MaterialChange { sites: 0, .. }) => " [slim, once a run]",
+                        SlimChange::Material(_) => " [slim, once a site]",
+                    };
+                    std::iter::repeat_n(note.to_owned(), change.steps())
                 })),
             }
         }

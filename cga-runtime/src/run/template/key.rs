@@ -4,7 +4,6 @@ use std::hash::{Hash, Hasher};
 
 use glam::{DMat3, DVec3};
 
-use super::read::{KeptRead, Read, are};
 use super::slot::RepeatedSlot;
 use crate::fixed_hash::FixedHasher;
 use crate::shape::ShapeRef;
@@ -12,6 +11,7 @@ use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
 use crate::shape::state::Trim;
 use crate::shape::unit::UnitMesh;
+use crate::value::read::{KeptRead, Read, are};
 
 /// The properties of a shape that determine its template, and the values that its rule reads.
 #[derive(Debug)]

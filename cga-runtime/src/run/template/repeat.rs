@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::{DMat3, DVec3};
 
 use super::key::TemplateKey;
-use super::read;
 use super::record::PartFn;
 use super::replay::Replay;
 use super::slot::RepeatedSlot;
@@ -23,6 +22,7 @@ use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
 use crate::shape::trim::TrimPlane;
 use crate::shape::unit::UnitMesh;
+use crate::value::read;
 
 /// The template of the last repetition of a slot: the next one is often as large, and the parts of a split do not differ in
 /// more than their place, one extent, the unit mesh and the values that they read.

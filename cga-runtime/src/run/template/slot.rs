@@ -1,6 +1,6 @@
 //! A slot of the rules that repeats.
 
-use super::read::Read;
+use crate::value::read::Read;
 
 /// A slot of the rules that repeats.
 #[derive(Clone, Copy, Debug)]

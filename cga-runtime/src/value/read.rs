@@ -1,4 +1,4 @@
-//! The values that a repeated part reads.
+//! The values that a result depends on, compared by their bits.
 
 use std::hash::Hash;
 
@@ -7,7 +7,8 @@ use crate::value::Value;
 use crate::value::array::Array;
 use crate::value::text::Text;
 
-/// A value that a repeated part reads: an argument of its rule, an attribute or a constant. Values are equal if their bits are.
+/// A value that a repeated part or a change of a look reads: an argument of its rule, an attribute or a constant. Values are equal if their
+/// bits are.
 #[derive(Clone, Copy, Debug)]
 pub enum Read<'a> {
     /// A number.
@@ -26,21 +27,34 @@ pub enum Read<'a> {
     Run(u64),
 }
 
-/// A value that a template has read.
+/// A value that was read, kept with the result.
 #[derive(Clone, Debug)]
-pub(super) enum KeptRead {
+pub(crate) enum KeptRead {
     Value(Value),
     Run(u64),
 }
 
 /// Returns true if these values were kept.
 #[inline]
-pub(super) fn are(kept: &[KeptRead], reads: &[Read<'_>]) -> bool {
+pub(crate) fn are(kept: &[KeptRead], reads: &[Read<'_>]) -> bool {
     kept.len() == reads.len() && kept.iter().zip(reads).all(|(kept, read)| read.is(kept))
 }
 
+impl<'a> From<&'a Value> for Read<'a> {
+    fn from(value: &'a Value) -> Self {
+        match value {
+            Value::Float(number) => Read::Float(*number),
+            Value::Bool(truth) => Read::Bool(*truth),
+            Value::Text(text) => Read::Text(text),
+            Value::Floats(array) => Read::Floats(array),
+            Value::Bools(array) => Read::Bools(array),
+            Value::Texts(array) => Read::Texts(array),
+        }
+    }
+}
+
 impl Read<'_> {
-    pub(super) fn kept(&self) -> KeptRead {
+    pub(crate) fn kept(&self) -> KeptRead {
         KeptRead::Value(match *self {
             Read::Float(number) => Value::Float(number),
             Read::Bool(truth) => Value::Bool(truth),
@@ -71,7 +85,7 @@ impl Read<'_> {
         }
     }
 
-    pub(super) fn hash(&self, hasher: &mut FixedHasher) {
+    pub(crate) fn hash(&self, hasher: &mut FixedHasher) {
         match self {
             Read::Float(number) => number.to_bits().hash(hasher),
             Read::Bool(truth) => truth.hash(hasher),
