@@ -71,7 +71,7 @@ impl Generator<'_> {
                 &mut own,
                 #place,
                 &[#(#reads),*],
-                &|env: &mut cga_rt::Env, shape: &mut cga_rt::Shape| #code,
+                &|env, shape| #code,
             );
         }
     }

@@ -18,7 +18,7 @@ use crate::run::sink::{Flow, Sink};
 use crate::run::start_rule::StartRule;
 use crate::run::surroundings::{Neighbours, Surroundings};
 use crate::run::template::Templates;
-use crate::shape::look_id::LookIds;
+use crate::shape::look_table::LookTable;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::Value;
 use crate::value::text::Text;
@@ -48,7 +48,7 @@ pub(crate) struct KeptTemplates(Option<Box<dyn Any>>);
 /// The part of [`Kept`] about looks.
 #[derive(Default)]
 struct KeptLooks {
-    looks: LookIds,
+    looks: LookTable,
     /// The number of runs so far.
     runs: u64,
 }
@@ -70,7 +70,7 @@ impl KeptLooks {
         self.runs += 1;
         let is_full = self.looks.is_full();
         if is_full {
-            self.looks = LookIds::default();
+            self.looks = LookTable::default();
         }
         self.looks.begin();
         is_full

@@ -15,6 +15,7 @@ mod initial;
 pub(crate) mod look;
 pub(crate) mod look_changes;
 pub(crate) mod look_id;
+pub(crate) mod look_table;
 pub(crate) mod lot;
 mod placed;
 mod point_origins;

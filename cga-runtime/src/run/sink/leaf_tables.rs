@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::shape::look_id::LookIds;
+use crate::shape::look_table::LookTable;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::text::Text;
 
@@ -10,7 +10,7 @@ use crate::value::text::Text;
 #[derive(Clone, Debug, Default)]
 pub(crate) struct LeafTables {
     pub(crate) names: Arc<[Text]>,
-    pub(crate) looks: LookIds,
+    pub(crate) looks: LookTable,
 }
 
 impl LeafTables {

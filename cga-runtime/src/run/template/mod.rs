@@ -45,7 +45,8 @@ use crate::run::env::records::TapedReport;
 use crate::run::sink::corners::{PlacedBox, four};
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
-use crate::shape::look_id::{LookId, LookIds};
+use crate::shape::look_id::LookId;
+use crate::shape::look_table::LookTable;
 use crate::shape::unit::UnitMesh;
 use crate::shape::{Counter, ShapeRef};
 use crate::value::read::KeptRead;
@@ -307,7 +308,7 @@ impl<C> TemplateEntry<C> {
     }
 
     /// The paint of the template for parts with a look, if there is a template.
-    fn paint(&mut self, own: LookId, ids: &mut LookIds) -> Option<Rc<Paint>> {
+    fn paint(&mut self, own: LookId, ids: &mut LookTable) -> Option<Rc<Paint>> {
         let open = &self.template.as_ref()?.open;
         let look = (!open.is_empty()).then_some(own);
         if let Some((_, known)) = self.paints.iter().find(|(known, _)| *known == look) {

@@ -5,7 +5,8 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::shape::look_id::{LookId, LookIds};
+use crate::shape::look_id::LookId;
+use crate::shape::look_table::LookTable;
 
 /// The number of the next paint. Numbers distinguish what all sessions replay, and are in no output.
 static NUMBER: AtomicU64 = AtomicU64::new(1);
@@ -26,7 +27,7 @@ pub(super) struct Paint {
 impl Paint {
     /// The paint of a template for a part with the look `own`. `open` are the looks of the template with an open colour, `recorded` is the
     /// look of the recorded shape.
-    pub(super) fn new(open: &[LookId], recorded: LookId, own: LookId, ids: &mut LookIds) -> Self {
+    pub(super) fn new(open: &[LookId], recorded: LookId, own: LookId, ids: &mut LookTable) -> Self {
         let others = open.iter().filter(|look| **look != recorded);
         let others: Vec<(LookId, LookId)> = others.map(|look| (*look, ids.painted(*look, own))).collect();
         let is_lasting = own.is_lasting() && others.iter().all(|(_, painted)| painted.is_lasting());
