@@ -11,6 +11,7 @@ mod geo;
 #[allow(deprecated, reason = "rules at the edges of what makes sense: findings are warnings of this kind")]
 mod initial_meshes;
 mod instances;
+mod looks;
 mod measured;
 mod mesh_operations;
 mod normals;
