@@ -28,6 +28,8 @@ def make(group: pa.Table) -> pa.Table:
 
 if not ray.is_initialized():
     ray.init(num_cpus=2, include_dashboard=False, log_to_driver=False)
+# The usual shuffle of Ray 2.60 waited without end for the parts of a lost node.
+ray.data.DataContext.get_current().shuffle_strategy = ray.data.context.ShuffleStrategy.SORT_SHUFFLE_PULL_BASED
 rows = ray.data.read_parquet(lots)
 counts = rows.map_batches(count, batch_format="pyarrow")
 plan = city.plan(row["count"] for row in counts.iter_rows())

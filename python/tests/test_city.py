@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pyarrow as pa
 import pytest
+import shapely
 import towns
 from towns import ASKING, PLAIN, city, failures, files, groups, make
 
@@ -82,7 +83,7 @@ def test_lots_that_changed_after_they_were_counted_are_refused(tmp_path: Path) -
     for changed in (lots.slice(1), pa.concat_tables([lots, lots.slice(0, 1)]), taller):
         with pytest.raises(pycga.CityError, match=CHANGED):
             [plan.make(group) for group in groups(plan, [changed])]
-    far = towns.shapely.box(20, 48, 20.0001, 48.0001).wkb
+    far = shapely.box(20, 48, 20.0001, 48.0001).wkb
     with pytest.raises(pycga.CityError, match="the lots have changed since they were counted"):
         plan.lots(pa.table({"geometry": [far]}))
     assert not (tmp_path / "tileset.json").exists()
@@ -115,7 +116,7 @@ def test_wrong_choices_and_tables_are_refused_with_a_reason(tmp_path: Path) -> N
     (tmp_path / "own/note.txt").write_text("mine")
     for error, why, folder, choices in [
         (pycga.CityError, "has files that are not a city", "own", {}),
-        (pycga.CityError, "its start rules are Lot, Block", "out", {"lod": ["Blok"]}),
+        (pycga.CityError, "its start rules are Lot, Wall, Block", "out", {"lod": ["Blok"]}),
         (pycga.CityError, "hight", "out", {"attributes": {"hight": 3}}),
         (pycga.AttributeValueError, "`storeys` is not an attribute", "out", {"columns": {"storeys": "floors"}}),
         (ValueError, "crs: ", "out", {"crs": "Gauss"}),
@@ -151,7 +152,7 @@ def test_wrong_choices_and_tables_are_refused_with_a_reason(tmp_path: Path) -> N
 
 def test_rules_of_several_files_and_metres(tmp_path: Path) -> None:
     files_of_rules = [pycga.RuleFile.from_text(PLAIN, name="town"), pycga.RuleFile.from_text("Lot --> extrude(3) Flat.", name="shed")]
-    boxes = [towns.shapely.box(500_000 + 30 * n, 5_300_000, 500_016 + 30 * n, 5_300_011).wkb for n in range(4)]
+    boxes = [shapely.box(500_000 + 30 * n, 5_300_000, 500_016 + 30 * n, 5_300_011).wkb for n in range(4)]
     lots = pa.table({"HOEHE": ["7.5", "8", "9", "10"], "rules": ["town", "shed", None, "barn"], "geometry": boxes})
     choices = {"columns": {"height": "HOEHE"}, "grammar_column": "rules", "crs": 25832}
     one = pycga.City(tmp_path, files_of_rules, **choices)  # type: ignore[arg-type]

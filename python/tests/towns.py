@@ -35,7 +35,9 @@ BORDER = 52 * 360 / 2048
 def town(rows: int = 12, columns: int = 40, broken: bool = True) -> pa.Table:
     """Houses in rows from west to east that touch each other, and some rows that cannot be used."""
     numbers = random.Random(7)
-    shapes, heights, kinds = [], [], []
+    shapes: list[bytes | None] = []
+    heights: list[float | None] = []
+    kinds: list[str] = []
     for number in range(rows * columns):
         west = BORDER + (number % columns - columns / 2) * 0.00015
         south = 48 + number // columns * 0.0004
