@@ -53,8 +53,14 @@ impl CityPlan {
     #[staticmethod]
     #[pyo3(name = "_rebuild")]
     fn rebuild(city: &Bound<'_, City>, plan: &[u8], failed: [u64; 2]) -> PyResult<Self> {
-        let plan = serde_json::from_slice(plan).map_err(|why| CityError::new_err(why.to_string()))?;
-        Ok(CityPlan::new(city.get().work().clone(), plan, failed))
+        let plan: Plan = serde_json::from_slice(plan).map_err(|why| CityError::new_err(why.to_string()))?;
+        let city = city.get().work().clone();
+        if plan.digest != city.loaded.digest {
+            return Err(CityError::new_err(
+                "this machine has other assets, or another version of pycga, than the machine that made the plan; all machines need the same",
+            ));
+        }
+        Ok(CityPlan::new(city, plan, failed))
     }
 
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Rebuilt<'py>)> {

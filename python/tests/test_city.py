@@ -2,6 +2,7 @@
 
 import _thread
 import os
+import pickle
 import subprocess
 import threading
 from pathlib import Path
@@ -172,3 +173,17 @@ def test_ctrl_c_ends_a_unit_and_other_threads_go_on(tmp_path: Path) -> None:
             for file in [*(tmp_path / "units").rglob("*.json"), *(tmp_path / "tiles").rglob("*.json")]:
                 file.unlink()
     timer.join()
+
+
+def test_a_machine_with_other_assets_makes_no_tiles(tmp_path: Path) -> None:
+    sign = tmp_path / "assets/sign.obj"
+    sign.parent.mkdir()
+    sign.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n")
+    rules = pycga.RuleFile.from_text('Lot --> i("sign.obj") X.', name="town", assets=sign.parent)
+    lots = towns.town(1, 4, broken=False)
+    plan = towns.plan(pycga.City(tmp_path / "out", rules), [lots])
+    copy = pickle.dumps(plan)
+    assert pickle.loads(copy).finish([plan.make(group) for group in groups(plan, [lots])])["buildings"] == 4
+    sign.write_text("v 0 0 0\nv 1 0 0\nv 2 2 0\nf 1 2 3\n")
+    with pytest.raises(pycga.CityError, match="this machine has other assets"):
+        pickle.loads(copy)
