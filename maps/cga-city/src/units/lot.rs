@@ -36,7 +36,7 @@ impl Sums {
 /// A checked lot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct UnitLot {
-    /// Its place along the curve; see [`key`](crate::cell::key).
+    /// Its place along the curve; see [`key`].
     pub key: u64,
     /// The class of its size; see [`Area::class`].
     pub class: u8,
