@@ -1,6 +1,6 @@
 """CGA rules in Python: the types of `pycga`. `help(pycga)` has the descriptions."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from os import PathLike
 from typing import Any, Protocol, TypeAlias, TypedDict, final, type_check_only
 
@@ -11,10 +11,14 @@ __all__ = [
     "Attribute",
     "AttributeValueError",
     "CgaError",
+    "City",
+    "CityError",
+    "CityPlan",
     "DeadlineError",
     "Diagnostic",
     "Failure",
     "Fault",
+    "LotTable",
     "Material",
     "Mesh",
     "Model",
@@ -74,6 +78,7 @@ class RunError(CgaError):
     trail: list[str]
 
 class DeadlineError(RunError): ...
+class CityError(CgaError): ...
 class WriteError(CgaError): ...
 
 @final
@@ -359,3 +364,43 @@ class Models:
     def __len__(self) -> int: ...
     def __getitem__(self, index: int, /) -> Model: ...
     def __iter__(self) -> Iterator[Model]: ...
+
+@final
+class City:
+    def __new__(
+        cls,
+        folder: _Path,
+        rules: RuleFile | Sequence[RuleFile],
+        *,
+        attributes: Mapping[str, _Value | None] | None = None,
+        columns: dict[str, str] | None = None,
+        name: str | None = None,
+        grammar_column: str | None = None,
+        start_column: str | None = None,
+        geometry: str = "geometry",
+        crs: int | str | None = None,
+        lod: Sequence[str] | None = None,
+        occlusion_distance: float | None = None,
+        context_distance: float | None = None,
+        tile_lots: int = 256,
+        tile_size: int = 4096,
+        unit_lots: int = 65_536,
+    ) -> City: ...
+    @staticmethod
+    def _rebuild(work: bytes, folder: _Path, geometry: str, unit_lots: int) -> City: ...
+    def count(self, table: _Arrow) -> bytes: ...
+    def plan(self, counts: Iterable[bytes]) -> CityPlan: ...
+
+@final
+class CityPlan:
+    @staticmethod
+    def _rebuild(city: City, plan: bytes, failed: Sequence[int]) -> CityPlan: ...
+    def lots(self, table: _Arrow) -> LotTable: ...
+    def make(self, group: _Arrow, *, threads: int | None = None) -> bytes: ...
+    def finish(self, made: Iterable[bytes]) -> dict[str, int]: ...
+    def __len__(self) -> int: ...
+
+@final
+class LotTable:
+    def __arrow_c_stream__(self, requested_schema: object | None = None) -> object: ...
+    def __len__(self) -> int: ...

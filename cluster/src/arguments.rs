@@ -1,11 +1,10 @@
 //! The arguments of functions, which are checked when a query is planned.
 
+use cga_geo::reader::arrow::{check as check_column, is_binary};
 use datafusion::arrow::array::{ArrayRef, AsArray as _};
 use datafusion::arrow::compute::cast;
-use datafusion::arrow::datatypes::DataType;
+use datafusion::arrow::datatypes::{DataType, FieldRef};
 use datafusion::error::{DataFusionError, Result};
-
-use crate::rows;
 
 /// An argument of a function.
 #[derive(Clone, Copy, Debug)]
@@ -48,13 +47,6 @@ impl Argument {
     }
 }
 
-fn is_binary(kind: &DataType) -> bool {
-    matches!(
-        kind,
-        DataType::Binary | DataType::LargeBinary | DataType::BinaryView | DataType::FixedSizeBinary(_) | DataType::Null
-    )
-}
-
 /// Checks the types of the arguments of a function.
 ///
 /// # Errors
@@ -68,7 +60,8 @@ pub(crate) fn check(name: &str, arguments: &[Argument], kinds: &[DataType]) -> R
             )));
         }
         if let DataType::Struct(columns) = kind {
-            columns.iter().try_for_each(|column| rows::check(column.name(), column.data_type()))?;
+            let check = |column: &FieldRef| check_column(column.name(), column.data_type());
+            columns.iter().try_for_each(check).map_err(DataFusionError::Plan)?;
         }
     }
     Ok(())

@@ -18,10 +18,15 @@ use std::sync::Arc;
 
 use async_trait::async_trait;
 use cga_city::area::Area;
-use cga_city::cell::{DEEPEST, key};
+use cga_city::build::NoProgress;
+use cga_city::cell::DEEPEST;
 use cga_city::content::{Form, content};
-use cga_city::store::Store as _;
+use cga_city::units::failed_rows::FailedRows;
+use cga_city::units::lot::{Sums, UnitLot};
+use cga_city::units::make::{UnitLots, UnitMaker};
+use cga_city::units::plan::counted;
 use cga_geo::frame::Frame;
+use cga_geo::reader::arrow::Rows;
 use cga_geo::survey::Survey;
 use datafusion::arrow::array::{
     Array, ArrayRef, AsArray, Float64Array, LargeBinaryArray, LargeBinaryBuilder, LargeListArray, ListArray,
@@ -33,23 +38,21 @@ use datafusion::arrow::datatypes::{DataType, Field, Fields, UInt32Type, UInt64Ty
 use datafusion::error::{DataFusionError, Result};
 use datafusion::logical_expr::async_udf::{AsyncScalarUDF, AsyncScalarUDFImpl};
 use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDF, ScalarUDFImpl, Signature, Volatility};
-use serde_json::json;
 
 use crate::arguments::{Argument, address, check};
-use crate::plan::{counted, plan_at};
-use crate::rows::Rows;
-use crate::unit::{make_unit, threads};
-use crate::work::{LoadedWork, work_at};
+use crate::plan::plan_at;
+use crate::threads::threads;
+use crate::work::{StoredWork, work_at};
 
 /// All functions. The client, the scheduler and the executors register them.
 pub fn functions() -> Vec<Arc<ScalarUDF>> {
     use Argument::{Address, Columns, Footprints, Geometry, Number};
     use Volatility::{Immutable, Volatile};
-    let rows = |name, of: fn(&LoadedWork, &Rows) -> Result<ArrayRef>, volatility, kind: fn() -> DataType| {
+    let rows = |name, of: fn(&StoredWork, &Rows) -> Result<ArrayRef>, volatility, kind: fn() -> DataType| {
         Function::of_batch(name, &[Address, Geometry, Columns], volatility, kind, move |args| {
             let work = work_at(&address(&args[0])?).map_err(failed)?;
             let columns = args[2].as_struct_opt().ok_or_else(|| failed("the columns are not a group".to_owned()))?;
-            of(&work, &Rows::new(&args[1], columns)?)
+            of(&work, &Rows::new(&args[1], columns).map_err(failed)?)
         })
     };
     vec![
@@ -212,24 +215,20 @@ fn list(fields: Fields, lengths: Vec<usize>, columns: Vec<ArrayRef>) -> Result<A
     Ok(Arc::new(ListArray::try_new(item(fields), OffsetBuffer::from_lengths(lengths), Arc::new(members), None)?))
 }
 
-fn lots(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
-    let surveyor = work.surveyor().map_err(failed)?;
+fn lots(work: &StoredWork, rows: &Rows) -> Result<ArrayRef> {
+    let surveyor = work.loaded.surveyor().map_err(failed)?;
     let (mut lengths, mut bytes) = (Vec::new(), LargeBinaryBuilder::new());
     let (mut numbers, mut sides) = ([const { Vec::new() }; 6], [const { Vec::new() }; 4]);
     for at in 0..rows.len() {
         let footprints = surveyor.survey(rows.row(at)).footprints;
         lengths.push(footprints.len());
         for footprint in footprints {
-            let (middle, area, own) = (footprint.middle(), Area::of(&footprint), footprint.to_bytes());
-            let key = key(middle);
-            let [a, b, c, d, e, f, g, h, ..] = *blake3::hash(&own).as_bytes();
-            let [low, high] = [[a, b, c, d], [e, f, g, h]].map(|half| u64::from(u32::from_le_bytes(half)));
-            let row = [counted(key), key, low, high, own.len() as u64, area.class(middle).into()];
+            let UnitLot { key, class, sums, area, bytes: own } = UnitLot::new(&footprint, &work.loaded);
+            let Sums { digests: [low, high], bytes: count, .. } = sums;
+            let row = [counted(key), key, low, high, count, class.into()];
             numbers.iter_mut().zip(row).for_each(|(column, number)| column.push(number));
-            let Area { low: [west, north], high: [east, south] } = area;
-            let asks = work.asks(&footprint);
-            let row = [west, north, east, south].map(|side| asks.then_some(side));
-            sides.iter_mut().zip(row).for_each(|(column, side)| column.push(side));
+            let area = area.map(|Area { low: [west, north], high: [east, south] }| [west, north, east, south]);
+            sides.iter_mut().enumerate().for_each(|(side, column)| column.push(area.map(|area| area[side])));
             bytes.append_value(own);
         }
     }
@@ -240,45 +239,31 @@ fn lots(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
 }
 
 /// Writes a part of the table of rows that failed. Its name follows from the rows of the batch, so a batch that is read twice has one file.
-fn failures(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
-    let surveyor = work.surveyor().map_err(failed)?;
-    let (mut table, mut digest, mut lines, mut lost) = (String::new(), blake3::Hasher::new(), 0, 0);
-    for at in 0..rows.len() {
-        digest.update(rows.wkb(at).unwrap_or_default());
-        let row = rows.row(at);
-        let values: serde_json::Map<_, _> =
-            row.columns.iter().map(|(name, value)| (name.clone(), json!(value.to_string()))).collect();
-        for problem in surveyor.survey(row).problems {
-            let line = json!({ "id": problem.id, "lost": problem.is_lost, "reason": problem.reason, "row": values });
-            table.push_str(&format!("{line}\n"));
-            lines += 1;
-            lost += u64::from(problem.is_lost);
-        }
+fn failures(work: &StoredWork, rows: &Rows) -> Result<ArrayRef> {
+    let (surveyor, mut table) = (work.loaded.surveyor().map_err(failed)?, FailedRows::default());
+    for (wkb, row) in rows.iter() {
+        table.survey(&surveyor, wkb, row);
     }
+    let part = table.write(&work.store).map_err(failed)?;
     let mut lengths = vec![0; rows.len()];
-    let mut parts: Vec<(String, u64, u64)> = Vec::new();
-    if let (Some(first), true) = (lengths.first_mut(), 0 < lines) {
-        digest.update(table.as_bytes());
-        let name = format!("failures/rows/{}.jsonl", &digest.finalize().to_hex()[..32]);
-        work.store.write(&name, table.into_bytes()).map_err(|why| failed(format!("cannot write `{name}`: {why}")))?;
+    if let (Some(first), Some(_)) = (lengths.first_mut(), &part) {
         *first = 1;
-        parts.push((name, lines, lost));
     }
-    let names: StringArray = parts.iter().map(|(name, ..)| Some(name)).collect();
-    let lines: UInt64Array = parts.iter().map(|(_, lines, _)| Some(*lines)).collect();
-    let lost: UInt64Array = parts.iter().map(|(.., lost)| Some(*lost)).collect();
+    let names: StringArray = part.iter().map(|part| Some(&part.name)).collect();
+    let lines: UInt64Array = part.iter().map(|part| Some(part.lines)).collect();
+    let lost: UInt64Array = part.iter().map(|part| Some(part.lost)).collect();
     list(failure_fields(), lengths, vec![Arc::new(names), Arc::new(lines), Arc::new(lost)])
 }
 
-fn buildings(work: &LoadedWork, rows: &Rows) -> Result<ArrayRef> {
-    let (surveyor, threads) = (work.surveyor().map_err(failed)?, threads(0).map_err(failed)?);
+fn buildings(work: &StoredWork, rows: &Rows) -> Result<ArrayRef> {
+    let (surveyor, threads) = (work.loaded.surveyor().map_err(failed)?, threads(0).map_err(failed)?);
     let (mut files, mut reasons) = (LargeBinaryBuilder::new(), StringBuilder::new());
     for at in 0..rows.len() {
         let Survey { footprints, problems } = surveyor.survey(rows.row(at));
         let mut why: Vec<String> = problems.into_iter().map(|problem| problem.reason).collect();
         // Positions are in metres around the first polygon.
         let made = footprints.first().and_then(|first| {
-            let (frame, level) = (Frame::at(first.middle()), &work.levels[0]);
+            let (frame, level) = (Frame::at(first.middle()), &work.loaded.levels[0]);
             let form = Form { shares_images: false, ..level.form(u64::MAX) };
             threads.install(|| content(&footprints, None, &frame, &level.rules, form))
         });
@@ -305,7 +290,7 @@ fn units(args: &[ArrayRef]) -> Result<ArrayRef> {
         // A class that is not known has the largest footprints.
         let class = class.map_or(u8::MAX, |class| class.min(u8::MAX.into()) as u8).min(DEEPEST as u8);
         let before = units.len();
-        units.extend(key.into_iter().flat_map(|key| plan.units(key, class)).map(|unit| unit as u32));
+        units.extend(key.into_iter().flat_map(|key| plan.index.units(key, class)).map(|unit| unit as u32));
         lengths.push(units.len() - before);
     }
     let (offsets, units) = (OffsetBuffer::from_lengths(lengths), Arc::new(UInt32Array::from(units)));
@@ -325,10 +310,13 @@ fn tiles(args: &[ArrayRef]) -> Result<ArrayRef> {
     let plan = plan_at(&address(&args[0])?).map_err(failed)?;
     let units = cast(&args[1], &DataType::UInt32)?;
     let tile = |(row, unit): (usize, Option<u32>)| {
-        let unit = unit.and_then(|unit| plan.plan.units.get(unit as usize));
+        let unit = unit.and_then(|unit| plan.index.plan.units.get(unit as usize));
         let unit = unit.ok_or_else(|| failed("the plan has no such unit".to_owned()))?;
         let footprints: LargeBinaryArray = cast(&members(&args[2], row)?, &DataType::LargeBinary)?.as_binary().clone();
-        let made = make_unit(&plan.work, unit, footprints.iter().flatten()).map_err(failed)?;
+        let lots = UnitLots::new(unit, footprints.iter().flatten()).map_err(failed)?;
+        let (work, store) = (&plan.work.loaded, &plan.work.store);
+        let maker = UnitMaker { work, store, threads: threads(0).map_err(failed)?, progress: &NoProgress };
+        let made = maker.make(unit, &lots).map_err(failed)?;
         Ok(made.tally.levels.first().map_or(0, |near| near.buildings))
     };
     let made = units.as_primitive::<UInt32Type>().iter().enumerate().map(tile);

@@ -15,14 +15,13 @@ use std::path::{Path, PathBuf};
 use cga::RuleLoader;
 use cga_city::build::Options;
 use cga_city::surroundings::{Distances, MOST_DISTANCE};
+use cga_city::units::work::{RuleTexts, Work};
 use cga_geo::crs::{Crs, WGS_84};
 use cga_geo::missing;
 use cga_geo::reader::FileCrs;
 use cga_geo::survey::Columns;
 use serde::Deserialize;
 use url::Url;
-
-use crate::work::{RuleTexts, Work};
 
 /// A job. Paths are relative to the folder of its file.
 #[derive(Clone, Debug, PartialEq, Deserialize)]

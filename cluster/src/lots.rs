@@ -13,8 +13,7 @@ use datafusion::prelude::SessionContext;
 use futures::{StreamExt as _, TryStreamExt as _};
 use object_store::ObjectMeta;
 
-use crate::rows::columns_of;
-use crate::sql::literal;
+use crate::sql::{columns_of, literal};
 
 /// The table of all lots.
 pub(crate) struct Lots {

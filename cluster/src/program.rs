@@ -8,15 +8,15 @@ use std::time::{Duration, Instant};
 
 use cga::Grammar;
 use cga_city::program;
+use cga_city::units::compiled;
 use clap::{Args, Parser, Subcommand};
 
-use crate::compiled;
 use crate::engine::{self, Engine};
 use crate::job::Job;
 use crate::progress_bar::ProgressBar;
 use crate::run::{Summary, run};
+use crate::threads::threads;
 use crate::town;
-use crate::unit::threads;
 
 /// Makes 3D Tiles of the lots of GeoParquet files with CGA rules, on one machine or many.
 #[derive(Debug, Parser)]

@@ -1,34 +1,27 @@
 //! A job from its rows to the root of the city, in queries of an engine.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashMap};
 use std::time::Duration;
 
 use cga_city::area::Area;
-use cga_city::cell::Cell;
-use cga_city::leftovers::is_made;
-use cga_city::root::write_root;
-use cga_city::store::Store as _;
 use cga_city::tally::Tally;
 use cga_city::tree::block_lots;
+use cga_city::units::city::{Finished, begin, delete_old_files, finish, keep_failed, unfinished};
+use cga_city::units::lot::Sums;
+use cga_city::units::plan::{Count, Plan, Unit};
 use datafusion::arrow::array::{Array as _, AsArray as _, RecordBatch};
 use datafusion::arrow::compute::cast;
 use datafusion::arrow::datatypes::{DataType, Float64Type, UInt64Type};
-use serde_json::json;
 
 use crate::engine::{Engine, PAUSE};
 use crate::job::Job;
 use crate::lots::Lots;
-use crate::plan::{Count, Plan, Unit};
 use crate::sql::literal;
 use crate::store::Objects;
-use crate::unit::UnitFile;
-use crate::work::{LoadedWork, publish};
+use crate::work::{StoredWork, publish};
 
 /// The seconds from one look at the files of units to the next.
 const LOOK: u64 = 3;
-
-/// The file that marks an address as a city of this program.
-const MARK: &str = "cga-cluster.json";
 
 /// Hears how far a job is.
 pub trait Progress: Sync {
@@ -78,12 +71,12 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     let store = Objects::open(&job.store)?;
     begin(&store, &job.store)?;
     let lots = Lots::open(&engine.context, &job.lots).await?;
-    let work = LoadedWork::new(job.work(&lots.geometry.crs)?, store.clone())?;
+    let StoredWork { loaded: work, .. } = StoredWork::new(job.work(&lots.geometry.crs)?, store.clone())?;
     work.rules.check_attributes(work.work.columns.attributes.iter().map(|(_, name)| name.as_str()))?;
     work.rules.warnings().for_each(|warning| log::warn!("{warning}"));
     let name = publish(&store, &work.work)?;
     let address = |name: &str| format!("{}/{name}", job.store.trim_end_matches('/'));
-    let names = work.work.columns.names(&work.rules.grammars());
+    let names = work.column_names();
     let call = lots.register(&engine.context, &work.work.columns, &names, &address(&name))?;
 
     progress.step("counting lots", None);
@@ -97,7 +90,10 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     if plan.has_margins() {
         progress.step("finding neighbours", None);
         for batch in engine.retry(&read(&call("cga_lots"), &address(&plan_name))).await? {
-            numbers::<5>(&batch)?.into_iter().for_each(|[unit, read @ ..]| plan.set_read(unit as usize, read));
+            for [unit, lots, bytes, low, high] in numbers(&batch)? {
+                let unit = plan.units.get_mut(unit as usize);
+                unit.into_iter().for_each(|unit| unit.set_read(Sums { lots, bytes, digests: [low, high] }));
+            }
         }
         plan_name = publish(&store, &plan)?;
     }
@@ -109,29 +105,15 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     }
     let [failed_rows, lost_rows] = [0, 1].map(|at: usize| parts.values().map(|part| part[at]).sum());
     // Also the parts of a query that failed and was tried again.
-    store.delete_where("failures/rows", |name| !parts.contains_key(name)).map_err(|why| why.to_string())?;
-    store.delete_parts("failures/rows", |_| true).map_err(|why| why.to_string())?;
+    keep_failed(&store, &parts).map_err(|why| why.to_string())?;
 
     let lots = plan.units.iter().map(|unit| unit.count.lots).sum();
     progress.step("making tiles", Some(lots));
     let wave = job.wave_size.saturating_mul(1 << 20);
     let made = make(engine, &store, &plan, wave, &call("cga_lots"), &address(&plan_name), progress).await?;
-    let (tally, lost, notes) = finish(&store, &plan, work.levels.len())?;
+    let Finished { tally, lost, notes } = finish(&store, &plan, work.levels.len())?;
     let units_kept = plan.units.len() - made;
     Ok(Summary { lots, units_made: made, units_kept, tally, failed_rows, lost_rows, lost, notes })
-}
-
-/// Marks an address. Old tiles are deleted in the end, so an address with other files is refused.
-fn begin(store: &Objects, address: &str) -> Result<(), String> {
-    let failed = |why: std::io::Error| format!("cannot use the store `{address}`: {why}");
-    if store.read(MARK).map_err(failed)?.is_none() {
-        if !store.is_empty().map_err(failed)? {
-            return Err(format!("`{address}` has files that are not a city of cga-cluster; name a new folder"));
-        }
-        let mark = json!({ "generator": concat!("cga-cluster ", env!("CARGO_PKG_VERSION")) });
-        store.write(MARK, format!("{mark}\n").into_bytes()).map_err(failed)?;
-    }
-    Ok(())
 }
 
 /// The lots of each counted cell.
@@ -246,46 +228,6 @@ async fn make(
     Ok(count)
 }
 
-/// Calls a function for each of some units with its file, if it is finished. Some files are read at a time.
-fn each_file(
-    store: &Objects,
-    plan: &Plan,
-    units: impl IntoIterator<Item = usize>,
-    mut each: impl FnMut(usize, Option<UnitFile>) -> Result<(), String>,
-) -> Result<(), String> {
-    let mut units = units.into_iter();
-    loop {
-        let part: Vec<usize> = units.by_ref().take(64).collect();
-        if part.is_empty() {
-            return Ok(());
-        }
-        let files = store.read_all(part.iter().map(|unit| plan.units[*unit].name()));
-        for (unit, file) in part.into_iter().zip(files.map_err(|why| why.to_string())?) {
-            each(unit, UnitFile::finished(file.as_deref(), &plan.units[unit]))?;
-        }
-    }
-}
-
-/// The units without a finished file.
-fn unfinished(store: &Objects, plan: &Plan, units: Vec<usize>) -> Result<Vec<usize>, String> {
-    let mut open = Vec::new();
-    each_file(store, plan, units, |unit, file| {
-        if file.is_none() {
-            open.push(unit);
-        }
-        Ok(())
-    })?;
-    Ok(open)
-}
-
-/// Deletes the files of other units, and of units that will be made. The file of an older job must not describe the tiles of this one.
-fn delete_old_files(store: &Objects, plan: &Plan, open: &[usize]) -> Result<(), String> {
-    let open: HashSet<usize> = open.iter().copied().collect();
-    let kept = plan.units.iter().enumerate().filter(|(unit, _)| !open.contains(unit));
-    let kept: HashSet<String> = kept.map(|(_, unit)| unit.name()).collect();
-    store.delete_where("units", |name| !kept.contains(name)).map_err(|why| format!("cannot delete old files: {why}"))
-}
-
 /// Waits for a query and looks at the files of its units, which any machine writes.
 async fn watched<T>(
     query: impl Future<Output = T>,
@@ -312,31 +254,4 @@ async fn watched<T>(
             }
         }
     }
-}
-
-/// Makes the root of the city from the files of its units, and deletes files of earlier runs that do not belong to it.
-fn finish(store: &Objects, plan: &Plan, levels: usize) -> Result<(Tally, u64, u64), String> {
-    let failed = |why: std::io::Error| format!("cannot finish the city: {why}");
-    let (Some(first), Some(last)) = (plan.units.first(), plan.units.last()) else {
-        return Err(
-            "the city is empty: no row has a polygon that can be used; the reasons are in `failures`".to_owned()
-        );
-    };
-    let cell = Cell::around(first.count.keys[0], last.count.keys[1]);
-    let (mut blocks, mut tally, mut lost, mut notes) = (Vec::new(), Tally::new(levels), 0, 0);
-    each_file(store, plan, 0..plan.units.len(), |unit, file| {
-        let unit = &plan.units[unit];
-        let file = file.ok_or_else(|| format!("the unit {} is missing; start the job again", unit.cell()))?;
-        blocks.extend(file.blocks);
-        tally.merge(file.tally);
-        (lost, notes) = (lost + file.lost, notes + file.notes);
-        Ok(())
-    })?;
-    write_root(store, cell, blocks, &mut |name| tally.add_name(name)).map_err(failed)?;
-    for folder in ["tiles", "sets", "areas", "images", "units", "failures/buildings"] {
-        let is_own = |name: &str| !["tiles", "sets", "areas", "images"].contains(&folder) || is_made(name);
-        store.delete_where(folder, |name| is_own(name) && !tally.has_name(name)).map_err(failed)?;
-        store.delete_parts(folder, is_own).map_err(failed)?;
-    }
-    Ok((tally, lost, notes))
 }

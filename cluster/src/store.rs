@@ -10,6 +10,7 @@ use std::sync::mpsc::sync_channel;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use cga_city::store::{Store, has_digest};
+use cga_city::units::store::UnitStore;
 use datafusion::error::{DataFusionError, Result};
 use datafusion::execution::object_store::ObjectStoreRegistry;
 use futures::{StreamExt as _, TryStreamExt as _, stream};
@@ -83,29 +84,6 @@ impl Objects {
         }
     }
 
-    /// Returns true if the address has no file.
-    ///
-    /// # Errors
-    /// Errors of the store.
-    pub fn is_empty(&self) -> io::Result<bool> {
-        let (store, prefix) = (self.store.clone(), self.base.clone());
-        wait(async move { store.list(Some(&prefix)).next().await.transpose() }).map(|first| first.is_none())
-    }
-
-    /// Reads several files, some at a time.
-    ///
-    /// # Errors
-    /// Errors of the store.
-    pub fn read_all(&self, names: impl IntoIterator<Item = String>) -> io::Result<Vec<Option<Vec<u8>>>> {
-        let paths = names.into_iter().map(|name| self.path(&name)).collect::<io::Result<Vec<_>>>()?;
-        let store = self.store.clone();
-        let read = move |path| {
-            let store = store.clone();
-            async move { get(&*store, &path).await }
-        };
-        wait(async move { stream::iter(paths).map(read).buffered(32).try_collect().await })
-    }
-
     /// Deletes files.
     ///
     /// # Errors
@@ -125,48 +103,6 @@ impl Objects {
             }
             Ok(())
         })
-    }
-
-    /// Deletes the files of a folder that a function chooses.
-    ///
-    /// # Errors
-    /// Errors of the store.
-    pub fn delete_where(&self, folder: &str, is_other: impl Fn(&str) -> bool) -> io::Result<()> {
-        let others = |part: Vec<(String, ObjectMeta)>| {
-            self.delete_all(part.into_iter().map(|(name, _)| name).filter(|name| is_other(name)))
-        };
-        self.list_parts(folder, others)
-    }
-
-    /// Deletes the parts of files that a machine left in a folder when it was lost. They have the name of the file, `#` and a number, and lists do not
-    /// have them. Other stores have whole objects alone.
-    ///
-    /// # Errors
-    /// Errors of the file system.
-    pub fn delete_parts(&self, folder: &str, is_own: impl Fn(&str) -> bool) -> io::Result<()> {
-        let Some(root) = &self.folder else { return Ok(()) };
-        let mut open = vec![root.join(folder)];
-        while let Some(folder) = open.pop() {
-            let entries = match std::fs::read_dir(&folder) {
-                Err(why) if why.kind() == io::ErrorKind::NotFound => continue,
-                entries => entries?,
-            };
-            for entry in entries {
-                let path = entry?.path();
-                if path.is_dir() {
-                    // A link leads to folders of others.
-                    open.extend((!path.is_symlink()).then_some(path));
-                    continue;
-                }
-                let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().replace('\\', "/");
-                let part = name.rsplit_once('#');
-                let is_number = |end: &str| !end.is_empty() && end.bytes().all(|byte| byte.is_ascii_digit());
-                if part.is_some_and(|(whole, end)| is_number(end) && is_own(whole)) {
-                    std::fs::remove_file(&path)?;
-                }
-            }
-        }
-        Ok(())
     }
 }
 
@@ -199,6 +135,57 @@ impl Store for Objects {
         let Ok(path) = self.path(name) else { return false };
         let store = self.store.clone();
         wait(async move { store.head(&path).await }).is_ok_and(|found| found.size == count)
+    }
+}
+
+impl UnitStore for Objects {
+    fn is_empty(&self) -> io::Result<bool> {
+        let (store, prefix) = (self.store.clone(), self.base.clone());
+        wait(async move { store.list(Some(&prefix)).next().await.transpose() }).map(|first| first.is_none())
+    }
+
+    fn read_all(&self, names: Vec<String>) -> io::Result<Vec<Option<Vec<u8>>>> {
+        let paths = names.into_iter().map(|name| self.path(&name)).collect::<io::Result<Vec<_>>>()?;
+        let store = self.store.clone();
+        let read = move |path| {
+            let store = store.clone();
+            async move { get(&*store, &path).await }
+        };
+        wait(async move { stream::iter(paths).map(read).buffered(32).try_collect().await })
+    }
+
+    fn delete_where(&self, folder: &str, is_other: &dyn Fn(&str) -> bool) -> io::Result<()> {
+        let others = |part: Vec<(String, ObjectMeta)>| {
+            self.delete_all(part.into_iter().map(|(name, _)| name).filter(|name| is_other(name)))
+        };
+        self.list_parts(folder, others)
+    }
+
+    /// Parts of files have the name of the file, `#` and a number, and lists do not have them. Stores that are not folders have whole objects alone.
+    fn delete_parts(&self, folder: &str, is_own: &dyn Fn(&str) -> bool) -> io::Result<()> {
+        let Some(root) = &self.folder else { return Ok(()) };
+        let mut open = vec![root.join(folder)];
+        while let Some(folder) = open.pop() {
+            let entries = match std::fs::read_dir(&folder) {
+                Err(why) if why.kind() == io::ErrorKind::NotFound => continue,
+                entries => entries?,
+            };
+            for entry in entries {
+                let path = entry?.path();
+                if path.is_dir() {
+                    // A link leads to folders of others.
+                    open.extend((!path.is_symlink()).then_some(path));
+                    continue;
+                }
+                let name = path.strip_prefix(root).unwrap_or(&path).to_string_lossy().replace('\\', "/");
+                let part = name.rsplit_once('#');
+                let is_number = |end: &str| !end.is_empty() && end.bytes().all(|byte| byte.is_ascii_digit());
+                if part.is_some_and(|(whole, end)| is_number(end) && is_own(whole)) {
+                    std::fs::remove_file(&path)?;
+                }
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,123 +1,30 @@
-//! The work of a job as all machines know it: rules, columns and choices, in a file of the store.
+//! Works in files of the store.
 
-use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cga::RuleLoader;
-use cga_city::build::Options;
-use cga_city::rules::{CityGrammar, Rules};
 use cga_city::store::{Store as _, digest_of};
-use cga_city::tree::TreeLevel;
-use cga_geo::crs::Crs;
-use cga_geo::footprint::Footprint;
-use cga_geo::survey::{Columns, Surveyor};
+use cga_city::units::work::{LoadedWork, Work};
+use serde::Serialize;
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
 
-use crate::compiled;
 use crate::store::Objects;
 
-/// The work of a job.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Work {
-    /// The rule files. The first has all lots that name none.
-    pub rules: Vec<RuleTexts>,
-    /// The names of compiled grammars, which come after the rule files.
-    pub compiled: Vec<String>,
-    /// The folder of meshes and images, at the same path on all machines.
-    pub assets: Option<PathBuf>,
-    /// The names of attributes and the texts of their values.
-    pub values: Vec<(String, String)>,
-    /// The columns that have a meaning.
-    pub columns: Columns,
-    /// The code of the coordinate system.
-    pub crs: u32,
-    /// The levels and the sizes of tiles.
-    pub options: Options,
-}
-
-/// A rule file with the files that it imports.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct RuleTexts {
-    /// The name of the file.
-    pub file: String,
-    /// The names and texts of all files.
-    pub texts: Vec<(String, String)>,
-}
-
-impl Work {
-    /// The rules with the values of the job.
-    ///
-    /// # Errors
-    /// A sentence, or the errors of the rules.
-    pub fn load_rules(&self) -> Result<Rules, String> {
-        let load = |RuleTexts { file, texts }: &RuleTexts| {
-            let loader = texts.iter().fold(RuleLoader::new(), |loader, (name, text)| loader.with_file(name, text));
-            loader.memory_file(file).map(CityGrammar::from).map_err(|why| why.to_string())
-        };
-        let compiled = self.compiled.iter().map(|name| compiled::named(name));
-        let mut rules = Rules::of_grammars(self.rules.iter().map(load).chain(compiled).collect::<Result<_, _>>()?)?;
-        if let Some(folder) = &self.assets {
-            rules = rules.with_assets(folder)?;
-        }
-        for (name, value) in &self.values {
-            rules.set(name, value).map_err(|why| format!("the value of `{name}`: {why}"))?;
-        }
-        Ok(rules)
-    }
-}
-
-/// The work of a job, ready to be done.
+/// A work with the store of its tiles.
 #[derive(Debug)]
-pub struct LoadedWork {
+pub struct StoredWork {
     /// The work.
-    pub work: Work,
-    /// Its rules.
-    pub rules: Rules,
-    /// Its levels of detail.
-    pub levels: Vec<TreeLevel>,
-    /// The store of the tiles.
+    pub loaded: LoadedWork,
+    /// The store.
     pub store: Objects,
-    /// The digest of all that tiles depend on beside the lots.
-    pub digest: String,
 }
 
-impl LoadedWork {
-    /// Loads the rules of a work with its store.
+impl StoredWork {
+    /// Loads the rules of a work.
     ///
     /// # Errors
     /// A sentence, or the errors of the rules.
     pub fn new(work: Work, store: Objects) -> Result<Self, String> {
-        let rules = work.load_rules()?;
-        let levels = work.options.tree_levels(&rules)?;
-        let mut digest = blake3::Hasher::new();
-        digest.update(concat!("cga-cluster ", env!("CARGO_PKG_VERSION"), " 1").as_bytes());
-        digest.update(&serde_json::to_vec(&work).map_err(|why| why.to_string())?);
-        levels.iter().for_each(|level| {
-            // The digests of rules have the files of the assets, too.
-            digest.update(&level.rules.digest);
-        });
-        Ok(LoadedWork { work, rules, levels, store, digest: digest.finalize().to_hex().to_string() })
-    }
-
-    /// Returns true if the rules of a lot can ask about neighbours, at any level of detail.
-    pub fn asks(&self, footprint: &Footprint) -> bool {
-        self.levels.iter().any(|level| level.neighbours.is_some() && level.rules.asks(footprint))
-    }
-
-    /// The metres up to which rules find other lots.
-    pub fn distance(&self) -> f64 {
-        self.work.options.neighbours.map_or(0.0, |distances| distances.largest())
-    }
-
-    /// Makes footprints of rows.
-    ///
-    /// # Errors
-    /// The coordinate system is unknown.
-    pub fn surveyor(&self) -> Result<Surveyor<'_>, String> {
-        let crs = Crs::from_epsg(self.work.crs)?;
-        Ok(Surveyor::new(self.rules.grammars(), self.work.columns.clone()).crs(crs))
+        Ok(StoredWork { loaded: LoadedWork::new(work)?, store })
     }
 }
 
@@ -182,38 +89,38 @@ impl<T> Cache<T> {
     }
 }
 
-static WORKS: Cache<LoadedWork> = Cache::new();
+static WORKS: Cache<StoredWork> = Cache::new();
 
 /// The work of an address. Its assets are read when the work is loaded.
 ///
 /// # Errors
 /// A sentence about the store or the rules.
-pub fn work_at(address: &str) -> Result<Arc<LoadedWork>, String> {
-    WORKS.get(address, |store, name| LoadedWork::new(published(&store, name)?, store))
+pub fn work_at(address: &str) -> Result<Arc<StoredWork>, String> {
+    WORKS.get(address, |store, name| StoredWork::new(published(&store, name)?, store))
 }
 
 /// The work of an address with a digest. If the work that is known has another one, its assets may have changed, and it is loaded again.
 ///
 /// # Errors
 /// A sentence about the store or the rules, or the assets of this machine are not the assets of the client.
-pub(crate) fn work_with(address: &str, digest: &str) -> Result<Arc<LoadedWork>, String> {
+pub(crate) fn work_with(address: &str, digest: &str) -> Result<Arc<StoredWork>, String> {
     let mut work = work_at(address)?;
-    if work.digest != digest {
+    if work.loaded.digest != digest {
         WORKS.forget(address);
         work = work_at(address)?;
     }
-    if work.digest == digest {
+    if work.loaded.digest == digest {
         return Ok(work);
     }
     let program = "this machine has another program than the client; install the same file";
-    Err(match &work.work.assets {
+    Err(match &work.loaded.work.assets {
         None => program.to_owned(),
         Some(folder) => {
             let folder = format!(
                 "the folder `{}` has other files here than on the client; copy the folder of the client to all machines",
                 folder.display()
             );
-            if work.work.compiled.is_empty() { folder } else { format!("{folder}, or {program}") }
+            if work.loaded.work.compiled.is_empty() { folder } else { format!("{folder}, or {program}") }
         }
     })
 }

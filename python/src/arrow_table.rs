@@ -8,15 +8,17 @@ use arrow_array::{Array as _, ArrayRef, BooleanArray, Float64Array, LargeListArr
 use arrow_cast::cast;
 use arrow_schema::{DataType, Field, SchemaRef};
 use cga::{Array, Text, Value, ValueType};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3_arrow::PyRecordBatchReader;
+use pyo3::types::PyCapsule;
+use pyo3_arrow::{PyRecordBatchReader, PyTable};
 use rayon::prelude::*;
 
 use crate::errors::panicked;
 use crate::outline::Outline;
 use crate::proposal::proposal;
 use crate::rows::{Columns, Row};
-use crate::value::coerced;
+use crate::value::{coerced, type_name};
 use crate::wkb;
 
 /// A table with a column of WKB.
@@ -40,6 +42,15 @@ impl ArrowTable {
         Ok(Some(ArrowTable { batches }))
     }
 
+    /// The batches of a table.
+    ///
+    /// # Errors
+    /// A `TypeError` for another object.
+    pub(crate) fn batches_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<RecordBatch>> {
+        let table = ArrowTable::of(given)?.map(|table| table.batches);
+        table.ok_or_else(|| PyTypeError::new_err(format!("{} is not a table of Arrow", type_name(given))))
+    }
+
     /// The rows, in order.
     ///
     /// # Errors
@@ -52,6 +63,19 @@ impl ArrowTable {
         }
         Ok(rows)
     }
+}
+
+/// The stream of batches in the Arrow PyCapsule interface.
+///
+/// # Errors
+/// The batches do not have the columns of the schema.
+pub(crate) fn stream<'py>(
+    py: Python<'py>,
+    batches: Vec<RecordBatch>,
+    schema: SchemaRef,
+    requested: Option<Bound<'py, PyCapsule>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    PyTable::try_new(batches, schema)?.into_pyobject(py)?.call_method1("__arrow_c_stream__", (requested,))
 }
 
 /// The columns of a batch that lots use.

@@ -21,6 +21,12 @@ create_exception!(
 create_exception!(pycga, ShapeError, CgaError, "A geometry that is not a lot.");
 create_exception!(pycga, RunError, CgaError, "A run that ended without a model. `trail` has the rules that led there.");
 create_exception!(pycga, DeadlineError, RunError, "A run that took longer than its deadline.");
+create_exception!(
+    pycga,
+    CityError,
+    CgaError,
+    "A city that cannot be made: its folder, its choices, its tables, or lots that changed after they were counted."
+);
 create_exception!(pycga, WriteError, CgaError, "A model that cannot be written.");
 
 /// The message for a panic, which is a mistake of the library.

@@ -3,8 +3,10 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cga::{Model, RuleFile, Session, Shape as Initial};
-use rayon::ThreadPoolBuilder;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
 use rayon::prelude::*;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::call::Call;
 use crate::errors::{PANIC, late_message};
@@ -57,14 +59,37 @@ pub(crate) fn jobs(rows: Vec<Row>, seed: Option<u64>, rules: &RuleFile, call: &C
     jobs
 }
 
+/// The most threads of a call.
+const MOST_THREADS: usize = 1024;
+
+/// The number of threads of a call; 0 for one for each processor.
+///
+/// # Errors
+/// A `ValueError` for a number that is too large.
+pub(crate) fn threads_of(given: Option<usize>) -> PyResult<usize> {
+    match given.unwrap_or_default() {
+        threads if MOST_THREADS < threads => {
+            Err(PyValueError::new_err(format!("the number of threads is at most {MOST_THREADS}")))
+        }
+        threads => Ok(threads),
+    }
+}
+
 /// A pool with a number of threads; 0 for one for each processor.
 ///
 /// # Errors
 /// A sentence: threads cannot be started.
-pub(crate) fn in_pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, String> {
+pub(crate) fn pool(threads: usize) -> Result<ThreadPool, String> {
     let pool = ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK).build();
-    let pool = pool.map_err(|why| format!("cannot start threads: {why}"))?;
-    Ok(pool.install(work))
+    pool.map_err(|why| format!("cannot start threads: {why}"))
+}
+
+/// Does the work in a pool with a number of threads.
+///
+/// # Errors
+/// A sentence: threads cannot be started.
+pub(crate) fn in_pool<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, String> {
+    Ok(pool(threads)?.install(work))
 }
 
 /// Runs all jobs, in their order.

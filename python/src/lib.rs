@@ -7,12 +7,16 @@
 mod arrow_table;
 mod attribute;
 mod call;
+mod city;
+mod city_choices;
+mod city_plan;
 mod diagnostic;
 mod errors;
 mod failure;
 mod fault;
 mod geometry;
 mod jobs;
+mod lot_table;
 mod material;
 mod mesh;
 mod model;
@@ -34,19 +38,27 @@ use pyo3::prelude::*;
 /// CGA rules in Python.
 ///
 /// Rules are loaded from a file or from text; lots come from coordinates, WKB, GeoJSON, shapely or Arrow; models leave as GLB, OBJ, PNG, SVG or
-/// NumPy arrays. Lengths are metres. Maps have x to the east and y to the north; rules and models have x to the east, y up and z to the south.
+/// NumPy arrays. `City` makes 3D Tiles of tables on many machines. Lengths are metres. Maps have x to the east and y to the north; rules and models have x to the east, y up and z to the south.
 #[pymodule]
 mod pycga {
     #[pymodule_export]
     use crate::attribute::{Attribute, StartRule};
     #[pymodule_export]
+    use crate::city::City;
+    #[pymodule_export]
+    use crate::city_plan::CityPlan;
+    #[pymodule_export]
     use crate::diagnostic::Diagnostic;
     #[pymodule_export]
-    use crate::errors::{AttributeValueError, CgaError, DeadlineError, RuleError, RunError, ShapeError, WriteError};
+    use crate::errors::{
+        AttributeValueError, CgaError, CityError, DeadlineError, RuleError, RunError, ShapeError, WriteError,
+    };
     #[pymodule_export]
     use crate::failure::Failure;
     #[pymodule_export]
     use crate::fault::Fault;
+    #[pymodule_export]
+    use crate::lot_table::LotTable;
     #[pymodule_export]
     use crate::material::Material;
     #[pymodule_export]

@@ -6,8 +6,8 @@ use arrow_array::{ArrayRef, Float64Array, LargeBinaryArray, LargeStringArray, Re
 use arrow_schema::{DataType, Field, Schema};
 use pyo3::prelude::*;
 use pyo3::types::PyCapsule;
-use pyo3_arrow::PyTable;
 
+use crate::arrow_table::stream;
 use crate::errors::RunError;
 use crate::reports::Column;
 
@@ -37,8 +37,7 @@ impl ReportTable {
         py: Python<'py>,
         requested_schema: Option<Bound<'py, PyCapsule>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let table = PyTable::try_new(vec![self.batch.clone()], self.batch.schema())?;
-        table.into_pyobject(py)?.call_method1("__arrow_c_stream__", (requested_schema,))
+        stream(py, vec![self.batch.clone()], self.batch.schema(), requested_schema)
     }
 
     /// The names of the columns.

@@ -1,7 +1,7 @@
 //! Rules that Python programs load and run.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use cga::{Assets, Grammar, RuleFile as Rules, RuleFileError, RuleLoader, Watch};
@@ -13,16 +13,13 @@ use crate::attribute::{Attribute, StartRule};
 use crate::call::Call;
 use crate::diagnostic::{Diagnostic, rule_error};
 use crate::errors::{AttributeValueError, RunError, late, run_error};
-use crate::jobs::{Done, in_pool, jobs, run_all};
+use crate::jobs::{Done, in_pool, jobs, run_all, threads_of};
 use crate::model::Model;
 use crate::models::Models;
 use crate::rows::Columns;
 use crate::run::supervised;
 use crate::shape::lot;
 use crate::source::Source;
-
-/// The most threads of a call.
-const MOST_THREADS: usize = 1024;
 
 /// Rules of a file. They never change; `generate` takes the values of attributes.
 ///
@@ -192,10 +189,7 @@ impl RuleFile {
         columns: Option<&Bound<'_, PyDict>>,
     ) -> PyResult<Models> {
         let rules = &self.rules;
-        let threads = threads.unwrap_or(0);
-        if MOST_THREADS < threads {
-            return Err(PyValueError::new_err(format!("the number of threads is at most {MOST_THREADS}")));
-        }
+        let threads = threads_of(threads)?;
         let columns = Columns::new(rules, geometry.to_owned(), name, columns, origin.unwrap_or_default().into())?;
         let mut call = Call::new(rules, &self.assets, attributes, start, limits, deadline)?;
         let source = Source::of(lots, &columns)?;
@@ -232,6 +226,16 @@ impl RuleFile {
 type Rebuilt = (String, String, Texts, Option<PathBuf>);
 
 impl RuleFile {
+    /// The rules.
+    pub(crate) fn rules(&self) -> &Rules {
+        &self.rules
+    }
+
+    /// The folder of the meshes and images that the rules insert.
+    pub(crate) fn assets_folder(&self) -> Option<&Path> {
+        self.folder.as_deref()
+    }
+
     fn load(
         py: Python<'_>,
         folder: Option<PathBuf>,

@@ -7,13 +7,18 @@ import sys
 from pathlib import Path
 
 import pytest
+import towns
 from conftest import EXAMPLES
+
+import pycga
 
 NEEDS = {
     "hello.py": [],
     "geopandas_town.py": ["geopandas"],
     "ray_town.py": ["ray"],
     "spark_town.py": ["pyspark"],
+    "ray_tiles.py": ["ray"],
+    "spark_tiles.py": ["pyspark"],
     "blender_house.py": ["bpy"],
 }
 SAYS = {
@@ -21,6 +26,8 @@ SAYS = {
     "geopandas_town.py": "100 houses,",
     "ray_town.py": "1000 rows",
     "spark_town.py": "1000",
+    "ray_tiles.py": "'units': 2,",
+    "spark_tiles.py": "'units': 2,",
     "blender_house.py": "objects: ['Glass', 'Roof', 'Wall']",
 }
 
@@ -35,8 +42,17 @@ def test_examples_run(name: str, tmp_path: Path) -> None:
     for package in NEEDS[name]:
         if importlib.util.find_spec(package) is None:
             pytest.skip(f"{package} is not installed")
-    if name == "spark_town.py" and shutil.which("java") is None:
+    if name.startswith("spark") and shutil.which("java") is None:
         pytest.skip("Java is not installed")
-    done = subprocess.run([sys.executable, EXAMPLES / name], cwd=tmp_path, capture_output=True, text=True, check=False)
+    arguments: list[Path] = []
+    if name.endswith("_tiles.py"):
+        arguments = [*towns.write(tmp_path, towns.ASKING, towns.town()), tmp_path / "tiles"]
+    done = subprocess.run([sys.executable, EXAMPLES / name, *arguments], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert SAYS[name] in done.stdout
+    if arguments:
+        # An engine makes the tiles of one process.
+        city = pycga.City(tmp_path / "expected", pycga.RuleFile(arguments[1]), unit_lots=1)
+        numbers = towns.make(city, [towns.town()])
+        assert towns.files(tmp_path / "tiles") == towns.files(tmp_path / "expected")
+        assert str(numbers) in done.stdout

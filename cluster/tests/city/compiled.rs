@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use cga::{Grammar as _, cga};
-use cga_cluster::compiled;
+use cga_city::units::compiled;
 
 use crate::cluster::Cluster;
 use crate::neighbours::border_world;

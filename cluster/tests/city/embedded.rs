@@ -2,10 +2,11 @@
 
 use std::fs;
 
+use cga_city::units::plan::Plan;
 use cga_cluster::engine::Engine;
-use cga_cluster::plan::{Plan, plan_at};
+use cga_cluster::plan::plan_at;
 use cga_cluster::store::Objects;
-use cga_cluster::work::{LoadedWork, publish};
+use cga_cluster::work::{StoredWork, publish};
 use cga_geo::reader::FileCrs;
 use datafusion::arrow::array::{Array as _, AsArray as _};
 use datafusion::arrow::datatypes::Int64Type;
@@ -113,13 +114,13 @@ async fn a_machine_with_other_assets_than_the_client_makes_no_tiles() {
     world.write_job("out", "assets = \"assets\"\n");
     let job = world.job();
     let store = Objects::open(&job.store).expect("a store");
-    let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
-    let name = publish(&store, &work.work).expect("room");
+    let work = StoredWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
+    let name = publish(&store, &work.loaded.work).expect("room");
     let plan_of = |digest: &str| {
         let plan = Plan::new(name.clone(), digest, Vec::new(), 1, 1, 0.0);
         plan_at(&format!("{}/{}", job.store, publish(&store, &plan).expect("room")))
     };
-    assert!(plan_of(&work.digest).is_ok());
+    assert!(plan_of(&work.loaded.digest).is_ok());
     let error = plan_of("another").expect_err("refused");
     assert!(error.contains("assets` has other files here than on the client"), "{error}");
 }
@@ -199,8 +200,8 @@ async fn a_row_becomes_a_building_or_a_reason() {
     let world = World::new(1, 100, 10);
     let (job, engine) = (world.job(), Engine::embedded(2).expect("an engine"));
     let store = Objects::open(&job.store).expect("a store");
-    let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
-    let name = publish(&store, &work.work).expect("room");
+    let work = StoredWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
+    let name = publish(&store, &work.loaded.work).expect("room");
     let lots = world.path("lots/town-0.parquet");
     engine
         .context
@@ -232,8 +233,8 @@ async fn a_building_without_a_face_has_a_reason() {
     world.write_job("out", "");
     let (job, engine) = (world.job(), Engine::embedded(1).expect("an engine"));
     let store = Objects::open(&job.store).expect("a store");
-    let work = LoadedWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
-    let name = publish(&store, &work.work).expect("room");
+    let work = StoredWork::new(job.work(&FileCrs::Epsg(4326)).expect("a work"), store.clone()).expect("rules");
+    let name = publish(&store, &work.loaded.work).expect("room");
     let lots = world.lots()[0].to_string_lossy().into_owned();
     engine.context.register_parquet("lots", &*lots, ParquetReadOptions::default()).await.expect("lots");
     let sql = format!(

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use cga_city::store::Store as _;
+use cga_city::units::store::UnitStore as _;
 use cga_cluster::store::Objects;
 
 use crate::cluster::Cluster;

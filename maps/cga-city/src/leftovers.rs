@@ -15,12 +15,14 @@ const FOLDERS: [&str; 4] = ["tiles", "sets", "areas", "images"];
 /// # Errors
 /// Errors of the file system.
 pub fn delete_others(city: &Path, is_part: &dyn Fn(&str) -> bool) -> io::Result<()> {
-    for part in FOLDERS {
-        if fs::symlink_metadata(city.join(part)).is_ok_and(|found| found.is_dir()) {
-            delete_below(&city.join(part), part, is_part)?;
-        }
-    }
-    Ok(())
+    // Also files that a killed run had begun to write.
+    let is_other = |name: &str| (is_part_of_file(name) || is_made(name)) && !is_part(name);
+    FOLDERS.iter().try_for_each(|part| delete_below(city, part, &is_other))
+}
+
+/// Returns true if a run had begun to write a file when it was killed.
+pub(crate) fn is_part_of_file(name: &str) -> bool {
+    name.rsplit('/').next().is_some_and(|own| own.starts_with(".part-"))
 }
 
 /// Returns true if a run may write or delete a file or a folder with a name relative to the folder of the city, with `/`.
@@ -30,19 +32,25 @@ pub fn is_of_city(name: &str) -> bool {
         || name.starts_with(".lots-")
 }
 
-fn delete_below(folder: &Path, name: &str, is_part: &dyn Fn(&str) -> bool) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
+/// Deletes the files of a folder of a city that a function chooses by their names, and folders that become empty. Links are not followed.
+///
+/// # Errors
+/// Errors of the file system.
+pub(crate) fn delete_below(city: &Path, folder: &str, is_other: &dyn Fn(&str) -> bool) -> io::Result<()> {
+    let path = city.join(folder);
+    if !fs::symlink_metadata(&path).is_ok_and(|found| found.is_dir()) {
+        return Ok(());
+    }
+    for entry in fs::read_dir(path)? {
         let entry = entry?;
-        let (path, kind) = (entry.path(), entry.file_type()?);
-        let own = entry.file_name().to_string_lossy().into_owned();
-        let name = format!("{name}/{own}");
+        let kind = entry.file_type()?;
+        let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
         if kind.is_dir() {
-            delete_below(&path, &name, is_part)?;
+            delete_below(city, &name, is_other)?;
             // A folder with files stays.
-            let _ = fs::remove_dir(&path);
-        } else if kind.is_file() && (own.starts_with(".part-") || is_made(&name)) && !is_part(&name) {
-            // Also files that a killed run had begun to write.
-            fs::remove_file(&path)?;
+            let _ = fs::remove_dir(entry.path());
+        } else if kind.is_file() && is_other(&name) {
+            fs::remove_file(entry.path())?;
         }
     }
     Ok(())

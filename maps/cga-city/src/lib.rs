@@ -5,6 +5,7 @@
 //!    further level has pieces that are sixteen times as large, with simpler buildings.
 //! 3. [`content`]: the buildings of a piece become a GLB with a feature for each building. A piece that becomes too large is cut again.
 //! 4. [`tile_file`]: a tile has a file beside it with a digest of all that it depends on. A tile with the same digest is not made again.
+//! 5. [`units`]: a city in parts, which other programs make on many machines.
 //!
 //! Equal lots and equal rules make equal bytes, with any number of threads, in any order of the lots, and after any number of interrupted runs.
 #![forbid(unsafe_code)]
@@ -28,3 +29,4 @@ pub mod tally;
 pub mod tile_file;
 pub mod tileset;
 pub mod tree;
+pub mod units;

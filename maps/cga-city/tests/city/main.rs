@@ -9,4 +9,5 @@ mod levels;
 mod neighbours;
 mod resumed;
 mod town;
+mod units;
 mod validator;

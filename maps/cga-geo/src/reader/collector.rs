@@ -215,7 +215,7 @@ impl PropertyProcessor for Collector {
     }
 }
 
-#[cfg(all(test, feature = "geoparquet"))]
+#[cfg(all(test, feature = "wkb"))]
 mod tests {
     use geozero::wkb::process_wkb_geom;
 

@@ -4,7 +4,6 @@ use std::fs::File;
 use std::path::Path;
 use std::sync::Arc;
 
-use geozero::wkb::process_wkb_geom;
 use parquet::basic::{ConvertedType, LogicalType};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::reader::RowIter;
@@ -12,9 +11,8 @@ use parquet::record::{Field, Row as Record};
 use parquet::schema::types::Type;
 use serde_json::{Value as Json, json};
 
-use super::collector::Collector;
 use super::parquet_native::NativePolygons;
-use super::quiet::quiet;
+use super::wkb::outlines;
 use super::{FileCrs, MapFile, parquet_text};
 use crate::column::ColumnValue;
 use crate::crs::WGS_84;
@@ -102,18 +100,6 @@ impl Geometry {
             .then_some(())
             .ok_or_else(|| format!("its geometries are encoded as {:?}; write them as WKB", self.encoding))
     }
-}
-
-/// The polygons of a geometry as WKB. Parts of a collection that are left out are added to the notes.
-///
-/// # Errors
-/// A sentence: the bytes are not WKB, or the geometry has no polygon that can be used.
-pub fn outlines(wkb: &[u8], notes: &mut Vec<String>) -> Result<Vec<Outline>, String> {
-    let mut collector = Collector::default();
-    let read = quiet(|| process_wkb_geom(&mut &*wkb, &mut collector));
-    let outlines = collector.outlines(read.ok_or("its geometry is damaged")?);
-    notes.append(&mut collector.notes);
-    outlines
 }
 
 /// Reads the rows of a file. Of its columns, only those in `columns` are read, for all rows; a column of a group is written with dots, as in

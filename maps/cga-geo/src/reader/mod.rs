@@ -3,7 +3,9 @@
 //! Rows count from 1. A row that cannot be read is a row with a reason. A damaged file ends with such a row, so none is lost silently:
 //! [`Row::is_damaged_end`].
 
-#[cfg(any(feature = "flatgeobuf", feature = "geoparquet"))]
+#[cfg(feature = "arrow")]
+pub mod arrow;
+#[cfg(any(feature = "flatgeobuf", feature = "wkb"))]
 mod collector;
 #[cfg(feature = "flatgeobuf")]
 pub mod flatgeobuf;
@@ -17,11 +19,13 @@ mod json_objects;
 mod json_records;
 #[cfg(feature = "geoparquet")]
 mod parquet_native;
-#[cfg(feature = "geoparquet")]
+#[cfg(any(feature = "geoparquet", feature = "arrow"))]
 pub mod parquet_text;
 mod quiet;
 #[cfg(feature = "shapefile")]
 pub mod shapefile;
+#[cfg(feature = "wkb")]
+pub mod wkb;
 
 use std::io::Read as _;
 use std::path::Path;
@@ -138,7 +142,7 @@ fn open_unguarded(path: &Path, columns: &[String]) -> Result<MapFile, String> {
 }
 
 /// The note about a geometry of a collection that is not a polygon.
-#[cfg(any(feature = "flatgeobuf", feature = "geoparquet", feature = "geojson"))]
+#[cfg(any(feature = "flatgeobuf", feature = "wkb", feature = "geojson"))]
 fn left_out(kind: &str) -> String {
     format!("a {kind} of its collection was left out")
 }

@@ -3,12 +3,13 @@
 use std::sync::{Mutex, OnceLock, PoisonError};
 
 use cga::Grammar;
-use cga_city::rules::CityGrammar;
 use cga_geo::missing;
+
+use crate::rules::CityGrammar;
 
 static KNOWN: Mutex<Vec<Box<dyn Grammar + Send + Sync>>> = Mutex::new(Vec::new());
 
-/// Adds a compiled grammar under the name of its header. Jobs name it, and the functions of this process find it.
+/// Adds a compiled grammar under the name of its header. The work of a city names it.
 ///
 /// # Errors
 /// A sentence: it has no name, or another one has its name.

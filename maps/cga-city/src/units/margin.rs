@@ -5,27 +5,25 @@
 
 use std::collections::HashMap;
 
-use cga_city::area::Area;
-use cga_city::cell::Cell;
-
-use crate::plan::Unit;
+use crate::area::Area;
+use crate::cell::Cell;
 
 /// Classes of footprints above this one touch many cells, and are compared with all boxes.
 const MOST_CLASS: u8 = 20;
 
 /// The boxes of units by the cells that they touch.
 #[derive(Debug, Default)]
-pub(crate) struct Margins {
+pub struct Margins {
     boxes: Vec<(usize, Area)>,
     of_cell: HashMap<Cell, Vec<u32>>,
 }
 
 impl Margins {
-    /// The boxes of some units.
-    pub(crate) fn new(units: &[Unit]) -> Self {
+    /// The boxes of units, each with the boxes around its lots.
+    pub fn new<'u>(units: impl IntoIterator<Item = &'u [Area]>) -> Self {
         let mut margins = Margins::default();
-        for (number, unit) in units.iter().enumerate() {
-            for area in &unit.areas {
+        for (number, areas) in units.into_iter().enumerate() {
+            for area in areas {
                 for cell in area.cells(Cell::WIDEST_TILE) {
                     margins.of_cell.entry(cell).or_default().push(margins.boxes.len() as u32);
                 }
@@ -36,7 +34,7 @@ impl Margins {
     }
 
     /// The units that may find a lot with a key and a class of sizes (see [`Area::class`]), in ascending order, each once.
-    pub(crate) fn units(&self, key: u64, class: u8) -> Vec<usize> {
+    pub fn units(&self, key: u64, class: u8) -> Vec<usize> {
         let has = |(_, area): &&(usize, Area)| area.of_class(class).has(key);
         let mut units: Vec<usize> = if class <= MOST_CLASS && !self.boxes.is_empty() {
             // The box of a unit is within this distance of the middle of the lot.
@@ -53,7 +51,7 @@ impl Margins {
 }
 
 /// The boxes around the counted cells of a unit, joined within each cell of the widest tiles. Rules find lots up to some metres away.
-pub(crate) fn areas(cells: impl Iterator<Item = (u64, Option<Area>)>, metres: f64) -> Vec<Area> {
+pub fn areas(cells: impl Iterator<Item = (u64, Option<Area>)>, metres: f64) -> Vec<Area> {
     let mut areas: Vec<(Cell, Area)> = Vec::new();
     for (key, area) in cells {
         let (cell, Some(area)) = (Cell::with(key, Cell::WIDEST_TILE), area) else { continue };
@@ -68,10 +66,9 @@ pub(crate) fn areas(cells: impl Iterator<Item = (u64, Option<Area>)>, metres: f6
 
 #[cfg(test)]
 mod tests {
-    use cga_city::cell::{DEEPEST, key};
-
     use super::*;
-    use crate::plan::{COUNTED, Count, Plan};
+    use crate::cell::{DEEPEST, key};
+    use crate::units::plan::{COUNTED, Count, Plan, Unit};
 
     /// The box of some smallest cells around a place.
     fn around(place: [f64; 2], sides: f64) -> Area {
@@ -112,7 +109,7 @@ mod tests {
         }
         let plan = Plan::new("w".into(), "d", cells.into_values().collect(), 3, 200, 100.0);
         assert!(20 < plan.units.len());
-        let margins = Margins::new(&plan.units);
+        let margins = Margins::new(plan.units.iter().map(|unit| &unit.areas[..]));
         let mut found = 0;
         for at in 0..4000 {
             let (key, class) = (key(place(at)), [10, 12, 14, 16, 18, 20, 22, 28][at % 8]);
