@@ -77,8 +77,7 @@ impl City {
     ) -> PyResult<Self> {
         let files = rule_files(rules)?;
         let distances = [("occlusion_distance", occlusion_distance), ("context_distance", context_distance)];
-        let attributes = (values(&files, attributes)?, attribute_columns(columns)?);
-        let (values, attributes) = attributes;
+        let (values, attributes) = (values(&files, attributes)?, attribute_columns(columns)?);
         let work = Work {
             rules: texts(&files),
             compiled: Vec::new(),
