@@ -7,6 +7,8 @@
 use std::collections::VecDeque;
 use std::rc::Rc;
 
+use glam::DAffine3;
+
 use crate::fault::LimitKind;
 use crate::run::env::tree::RecordedShape;
 use crate::run::env::{Env, Trail};
@@ -242,7 +244,8 @@ fn recorded_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule:
     flow
 }
 
-/// A box whose sides have different texture coordinates.
+/// A box whose sides have different texture coordinates. A cube as it is inserted has a mesh that all cubes share, so templates and sinks do
+/// not hold one for each.
 #[cold]
 #[inline(never)]
 fn box_with_sides(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
@@ -253,13 +256,18 @@ fn box_with_sides(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule
     }
     let (unit, scope, base) = (shape.unit.get(), shape.scope(), &shape.base.shape.state);
     let look = env.leaf_tables.looks.get(shape.look.get()).unwrap_or(base.look());
-    let sets = look.coordinates.on_box(unit, &scope, base.projections());
+    let is_inserted = look.coordinates.is_cube_in(&scope);
+    let sets = if is_inserted { Vec::new() } else { look.coordinates.on_box(unit, &scope, base.projections()) };
     env.leaves += 1;
     env.count_leaf(4 * unit.face_count() as u64, sets.len() as u64)?;
     let rule = env.leaf_tables.names.get(rule as usize).unwrap_or(Text::EMPTY);
     let material = env.leaf_tables.looks.get(shape.look.get()).map_or(base.material(), |look| &look.material);
-    let leaf = Leaf::new(rule, material, &scope).with_uvs(&sets);
-    sink.cuboid(&leaf, &filled_scope::cuboid(&scope, unit))
+    let (leaf, cuboid) = (Leaf::new(rule, material, &scope).with_uvs(&sets), filled_scope::cuboid(&scope, unit));
+    if is_inserted {
+        let placement = DAffine3 { matrix3: cuboid.sides, translation: cuboid.origin };
+        return sink.mesh(&leaf, unit.with_cube_coordinates(), &placement);
+    }
+    sink.cuboid(&leaf, &cuboid)
 }
 
 /// A leaf that does not fill its scope.

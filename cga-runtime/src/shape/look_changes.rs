@@ -108,7 +108,7 @@ impl Changes {
         self.counts[at] += 1;
         let hash = hash(place, before, reads);
         let reads = reads.iter().map(Read::kept).collect();
-        // Of results with one hash, the first stays.
+        // The first result with a hash stays.
         self.with_values.entry(hash).or_insert(ChangeWithValues { place, before, reads, after });
     }
 }

@@ -135,7 +135,7 @@ impl LookTable {
         id
     }
 
-    /// The number of a look, which is temporary if there is no room; `OF_BASE` for a look that never has one.
+    /// Returns the number of a look. It is a temporary one if there is no room. A look that never has a number gives `OF_BASE`.
     pub(crate) fn number_at_least_for_now(&mut self, look: &Arc<Look>) -> LookId {
         let id = self.number(look);
         if id != LookId::OF_BASE || look.coordinates.has_cube() {
@@ -216,7 +216,7 @@ impl LookTable {
         reads.is_empty() || self.changes(place).has_room(place.number)
     }
 
-    /// The number of the look after a change, which is kept if both looks have a lasting number. `OF_BASE` if there is no room.
+    /// Returns the number of the look after a change, and keeps it if both looks have a lasting number. Without room it is `OF_BASE`.
     pub(crate) fn change(
         &mut self,
         place: ChangePlace,
