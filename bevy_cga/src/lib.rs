@@ -4,6 +4,8 @@
 mod channel;
 mod convert;
 mod event;
+#[cfg(feature = "pbr")]
+mod mip_levels;
 mod parts;
 #[cfg(feature = "pbr")]
 mod pbr;

@@ -1,14 +1,16 @@
 //! Materials and textures, with the feature `pbr`.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::PathBuf;
 use std::sync::{Arc, Weak};
 
-use bevy_app::App;
-use bevy_asset::{AssetPath, AssetServer, Assets, Handle, StrongHandle};
+use bevy_app::{App, PostUpdate};
+use bevy_asset::{AssetEventSystems, AssetId, AssetPath, AssetServer, Assets, Handle, StrongHandle};
 use bevy_camera::visibility::Visibility;
 use bevy_color::{Color, LinearRgba};
 use bevy_ecs::resource::Resource;
+use bevy_ecs::schedule::IntoScheduleConfigs;
+use bevy_ecs::system::{Res, ResMut};
 use bevy_ecs::world::World;
 use bevy_image::{Image, ImageAddressMode, ImageLoaderSettings, ImageSampler, ImageSamplerDescriptor};
 use bevy_material::AlphaMode;
@@ -17,6 +19,7 @@ use bevy_pbr::{MeshMaterial3d, StandardMaterial};
 use cga::{Channel, Layer, Material, MaterialNumber, MaterialText};
 
 use crate::channel::image;
+use crate::mip_levels;
 use crate::parts::{CgaMesh, CgaRoot};
 use crate::source::Cga;
 
@@ -28,6 +31,8 @@ struct MaterialCache {
     /// The number of entries at which those without a material are removed.
     full: usize,
     image_folder: PathBuf,
+    /// Images that are being loaded.
+    loading: HashSet<AssetId<Image>>,
 }
 
 /// The properties that make a material different.
@@ -72,6 +77,24 @@ pub(crate) fn build(app: &mut App, image_folder: &str) {
     // Children inherit the visibility of their parents.
     app.register_required_components::<Cga, Visibility>();
     app.register_required_components::<CgaRoot, Visibility>();
+    app.add_systems(PostUpdate, add_mip_levels.before(AssetEventSystems));
+}
+
+/// Adds smaller levels to images that have been loaded, in the frame before the renderer takes them.
+fn add_mip_levels(
+    mut cache: ResMut<MaterialCache>,
+    server: Option<Res<AssetServer>>,
+    images: Option<ResMut<Assets<Image>>>,
+) {
+    let (Some(server), Some(mut images)) = (server, images) else { return };
+    cache.loading.retain(|&id| {
+        let Some(mut image) = images.get_mut(id) else {
+            // Not an image that could not be loaded, or that no mesh uses any more.
+            return server.get_load_state(id).is_some_and(|state| state.is_loading());
+        };
+        mip_levels::add(&mut image);
+        false
+    });
 }
 
 /// The material of a mesh. `None` without Bevy's plugin for materials.
@@ -86,6 +109,15 @@ pub(crate) fn material(world: &mut World, part: &CgaMesh) -> Option<MeshMaterial
     }
     let server = world.get_resource::<AssetServer>().filter(|_| world.contains_resource::<Assets<Image>>()).cloned();
     let made = key.material(server.as_ref(), &cache.image_folder);
+    let images = [
+        &made.base_color_texture,
+        &made.normal_map_texture,
+        &made.metallic_roughness_texture,
+        &made.emissive_texture,
+        &made.occlusion_texture,
+    ];
+    let loading: Vec<AssetId<Image>> = images.into_iter().flatten().map(Handle::id).collect();
+    world.resource_mut::<MaterialCache>().loading.extend(loading);
     let handle = world.resource_mut::<Assets<StandardMaterial>>().add(made);
     if let Handle::Strong(strong) = &handle {
         world.resource_mut::<MaterialCache>().keep(key, strong);
@@ -213,6 +245,8 @@ fn load(server: &AssetServer, folder: &std::path::Path, texture: &TextureKey) ->
         settings.sampler = ImageSampler::Descriptor(ImageSamplerDescriptor {
             address_mode_u: ImageAddressMode::Repeat,
             address_mode_v: ImageAddressMode::Repeat,
+            // Walls along the direction of view stay sharp.
+            anisotropy_clamp: 8,
             ..ImageSamplerDescriptor::linear()
         });
     };

@@ -72,7 +72,12 @@ impl CgaRun {
             || RunSource::alone(cga, watch.clone()),
             |place| RunSource::Lot { place, watch: watch.clone() },
         );
-        let shown = Shown { granularity: cga.granularity, leaf_events: cga.leaf_events.clone(), usages: cga.usages };
+        let shown = Shown {
+            granularity: cga.granularity,
+            leaf_events: cga.leaf_events.clone(),
+            watertight: cga.watertight,
+            usages: cga.usages,
+        };
         let pool = AsyncComputeTaskPool::get_or_init(TaskPool::default);
         let task = pool.spawn(async move {
             catch_unwind(AssertUnwindSafe(|| generate(&source, &shown))).unwrap_or_else(|panic| {
@@ -122,6 +127,7 @@ impl RunSource {
 struct Shown {
     granularity: Granularity,
     leaf_events: LeafEvents,
+    watertight: bool,
     usages: RenderAssetUsages,
 }
 
@@ -130,7 +136,9 @@ fn generate(source: &RunSource, shown: &Shown) -> Result<Generated, CgaError> {
     if model.report().stopped {
         return Err(CgaError::Stopped);
     }
-    let meshes = model.meshes(shown.granularity);
+    // The numbers of its leaves stay.
+    let meshes =
+        if shown.watertight { model.watertight().meshes(shown.granularity) } else { model.meshes(shown.granularity) };
     let origin = meshes.origin;
     let meshes = meshes.into_iter().map(|mut mesh| {
         let mut channels = Channels::of(&mesh);

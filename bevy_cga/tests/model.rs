@@ -11,7 +11,7 @@ use bevy_math::Vec3;
 use bevy_mesh::{Mesh, VertexAttributeValues};
 use bevy_transform::components::{GlobalTransform, Transform};
 use cga::sink::meshes::Granularity;
-use cga::{Error, Shape, Value, Watch};
+use cga::{Error, Shape, Value, Watch, cga};
 use common::*;
 
 /// The world positions of all vertices of an entity's model, in order.
@@ -60,6 +60,25 @@ fn every_kind_of_change_makes_a_new_model() {
     change(&mut app, entity, |cga| *cga = Cga::new(Field::default(), Shape::rectangle(5.0, 5.0)));
     assert_eq!(app.world().get::<CgaModel>(entity).expect("a model").model.rules(), ["Grass"]);
     assert!(log(&app).failed.is_empty());
+}
+
+#[test]
+fn watertight_models_have_the_corners_of_neighbours_in_their_edges() {
+    cga! {
+        /// Two bays above three.
+        grammar Bays;
+        Lot --> split(z) { ~1 : split(x) { { ~2 : Bay. }* } | ~1 : split(x) { { ~3 : Bay. }* } }
+    }
+    let mut app = app();
+    let cga = Cga::new(Bays::default(), Shape::rectangle(12.0, 2.0));
+    let [plain, tight] = [cga.clone(), cga.watertight()].map(|cga| {
+        let entity = shown(&mut app, cga);
+        let leaves = app.world().get::<CgaModel>(entity).expect("a model").model.len();
+        (positions(&app, entity), leaves)
+    });
+    assert_eq!(bounds(&plain.0), bounds(&tight.0));
+    assert!(plain.0.len() < tight.0.len(), "{} {}", plain.0.len(), tight.0.len());
+    assert_eq!(plain.1, tight.1);
 }
 
 #[test]

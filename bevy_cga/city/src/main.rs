@@ -2,10 +2,10 @@
 //!
 //! `cargo run -p city` opens a window, `cargo run -p city -- --screenshot city.png` writes a picture without one.
 
-#[allow(dead_code, reason = "only its grammar is used")]
-#[path = "../../../examples/district.rs"]
-mod district;
+mod detail;
 mod lots;
+#[path = "../../../examples/materials/mod.rs"]
+mod materials;
 mod panel;
 mod pick;
 mod rules;
@@ -24,6 +24,7 @@ fn main() -> AppExit {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let mut app = App::new();
+    rules::add_images(&mut app);
     match arguments[..] {
         [] => {
             let window = Window { title: "city".into(), ..Window::default() };
@@ -38,7 +39,7 @@ fn main() -> AppExit {
             return AppExit::error();
         }
     }
-    app.add_plugins(CgaPlugin::default());
+    app.add_plugins(CgaPlugin::default()).add_observer(detail::fade);
     app.add_systems(Startup, (scene::light, scene::camera, scene::district).chain());
     add_panel(&mut app);
     app.run()

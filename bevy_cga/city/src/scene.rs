@@ -1,18 +1,16 @@
 //! Light, camera, ground and buildings.
 
-use std::sync::Arc;
-
 use bevy::camera::Hdr;
 use bevy::camera_controller::free_camera::FreeCamera;
 use bevy::light::{CascadeShadowConfigBuilder, DirectionalLightShadowMap};
 use bevy::pbr::{DistanceFog, FogFalloff};
 use bevy::prelude::*;
 use bevy_cga::{Cga, CgaLotOf, CgaScene};
-use cga::{Assets, Shape};
+use cga::Shape;
+use cga::sink::meshes::Granularity;
 
-use crate::district::House;
 use crate::lots::{self, Outline};
-use crate::rules::{self, Ground};
+use crate::rules::{self, Ground, House};
 
 const SKY: Color = Color::srgb(0.78, 0.91, 1.0);
 
@@ -54,38 +52,41 @@ pub(crate) fn camera(mut commands: Commands) {
         // With it, the sky is tone mapped as the fog is.
         Hdr,
         IsDefaultUiCamera,
-        Transform::from_xyz(-128.0, 78.0, 172.0).looking_at(Vec3::new(2.0, 0.0, 22.0), Vec3::Y),
+        // In the middle of a street, at eye level.
+        Transform::from_xyz(21.9, 2.6, 57.0).looking_at(Vec3::new(19.5, 6.2, 0.0), Vec3::Y),
+        Projection::from(PerspectiveProjection { fov: 1.0, ..PerspectiveProjection::default() }),
         FreeCamera { walk_speed: 40.0, run_speed: 150.0, ..FreeCamera::default() },
         DistanceFog { color: SKY, falloff: FogFalloff::Linear { start: 300.0, end: 1000.0 }, ..DistanceFog::default() },
     ));
 }
 
 pub(crate) fn district(mut commands: Commands) -> Result {
-    let assets = Arc::new(Assets::new().with("crown", rules::crown()?));
     let district = lots::district();
     let ground = |outline: &Outline, height: f64, start: &str| -> Result<Cga> {
-        let shape = Shape::footprint(&outline.outer, &outline.holes)?.at([0.0, height, 0.0]);
-        Ok(Cga::new(Ground::default(), shape).settings(rules::settings(&assets, start)))
+        let shape = Shape::footprint(&outline.outer, &outline.holes)?.at([0.0, height, 0.0]).start(start);
+        Ok(Cga::new(Ground::default(), shape).settings(rules::settings()).granularity(Granularity::Rule))
+    };
+    let seeded = |mut cga: Cga, number: usize| {
+        cga.shape = cga.shape.seed(number as u64);
+        cga
     };
     commands.spawn(ground(&district.meadow, -0.2, "Meadow")?);
     commands.spawn(ground(&district.asphalt, 0.0, "Asphalt")?);
-    for sidewalk in &district.sidewalks {
-        commands.spawn(ground(sidewalk, 0.0, "Sidewalk")?);
+    for (number, sidewalk) in district.sidewalks.iter().enumerate() {
+        commands.spawn(seeded(ground(sidewalk, 0.0, "Sidewalk")?, number));
     }
     for (number, garden) in district.gardens.iter().enumerate() {
-        let mut garden = ground(garden, 0.17, "Garden")?;
-        garden.shape = garden.shape.seed(number as u64);
-        commands.spawn(garden);
+        commands.spawn(seeded(ground(garden, 0.17, "Garden")?, number));
     }
     // Houses ask about the houses and the streets around them.
     let scene = commands.spawn(CgaScene::default()).id();
-    for street in &district.streets {
-        commands.spawn((ground(street, 0.0, "Street")?, CgaLotOf(scene)));
+    for (number, street) in district.streets.iter().enumerate() {
+        commands.spawn((seeded(ground(street, 0.0, "Street")?, number), CgaLotOf(scene)));
     }
     for (number, house) in district.houses.iter().enumerate() {
         let shape = Shape::footprint(&house.outer, &house.holes)?.at([0.0, 0.15, 0.0]).seed(number as u64);
-        let house = House { neighbours: true, ..House::default() };
-        commands.spawn((Cga::new(house, shape), Building(number), CgaLotOf(scene)));
+        let house = Cga::new(House::default(), shape).settings(rules::settings()).granularity(Granularity::Rule);
+        commands.spawn((house.watertight(), Building(number), CgaLotOf(scene)));
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use bevy::app::ScheduleRunnerPlugin;
@@ -11,7 +11,7 @@ use bevy::camera::RenderTarget;
 use bevy::prelude::*;
 use bevy::render::RenderPlugin;
 use bevy::render::render_resource::TextureFormat;
-use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured, save_to_disk};
+use bevy::render::view::screenshot::{Screenshot, ScreenshotCaptured};
 use bevy::window::ExitCondition;
 use bevy::winit::WinitPlugin;
 use bevy_cga::{Cga, CgaRun};
@@ -22,7 +22,7 @@ use crate::scene::Building;
 const WIDTH: u32 = 960;
 const HEIGHT: u32 = 540;
 /// The building that is picked and changed; in other districts, the one with the nearest number.
-const CHANGED: usize = 104;
+const CHANGED: usize = 144;
 
 /// The path of the picture, and the image that the camera fills.
 #[derive(Resource)]
@@ -90,7 +90,7 @@ fn take(
                 return;
             };
             for (name, value) in
-                [("storeys", 9.0.into()), ("wall", cga::Value::from("#b5533c")), ("shops", true.into())]
+                [("storeys", 6.0.into()), ("wall", cga::Value::from("#b5533c")), ("shops", true.into())]
             {
                 if let Err(error) = cga.grammar.set(name, value) {
                     error!("{error}");
@@ -105,13 +105,29 @@ fn take(
         }
         Step::Wait(0) => {
             let shot = Screenshot::image(order.target.clone());
-            let end = |_: On<ScreenshotCaptured>, mut exit: MessageWriter<AppExit>| {
-                exit.write(AppExit::Success);
+            let path = order.path.clone();
+            let end = move |shot: On<ScreenshotCaptured>, mut exit: MessageWriter<AppExit>| {
+                let saved = save(&shot.image, &path);
+                exit.write(saved.map_or_else(
+                    |why| {
+                        error!("no picture: {why}");
+                        AppExit::error()
+                    },
+                    |()| AppExit::Success,
+                ));
             };
-            commands.spawn(shot).observe(save_to_disk(order.path.clone())).observe(end);
+            commands.spawn(shot).observe(end);
             Step::End
         }
         Step::Wait(frames) => Step::Wait(frames - 1),
         Step::End => Step::End,
     };
+}
+
+/// Writes an image with a palette, in a third of the bytes.
+fn save(image: &Image, path: &Path) -> Result {
+    let UVec2 { x: width, y: height } = image.size();
+    let rgba = image.data.clone().ok_or("the image has no pixels")?;
+    let image = cga::sink::picture::Image { width: width as usize, height: height as usize, rgba };
+    Ok(image.write_indexed_png(path)?)
 }

@@ -8,9 +8,9 @@ use bevy::prelude::*;
 use bevy_cga::{Cga, CgaPlugin, CgaRun};
 use cga::Shape;
 
-use crate::district::House;
 use crate::panel::{PanelText, Values};
 use crate::pick::{Picked, Pin};
+use crate::rules::House;
 use crate::scene::Building;
 
 /// An app with the panel, and two buildings with their models.

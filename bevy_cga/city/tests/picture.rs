@@ -13,7 +13,9 @@ fn the_picture_shows_the_city() {
     }
     assert!(run.status.success(), "{said}");
     let file = std::fs::File::open(&path).unwrap_or_else(|error| panic!("{error}\n{said}"));
-    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().expect("a PNG file");
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().expect("a PNG file");
     let mut bytes = vec![0; reader.output_buffer_size().expect("a size")];
     let info = reader.next_frame(&mut bytes).expect("its pixels");
     std::fs::remove_file(&path).expect("a file");
@@ -27,7 +29,11 @@ fn the_picture_shows_the_city() {
     };
     let sky = share(|[r, g, b]| r < g && g < b && 150 < b);
     let green = share(|[r, g, b]| r + 5 < g && b + 5 < g);
-    let roofs = share(|[r, g, b]| g + 30 < r && b <= g);
-    let walls = share(|[r, g, b]| 130 < b && b <= g && g <= r && r < b + 90);
-    assert!(0.03 < sky && 0.1 < green && 0.02 < roofs && 0.02 < walls, "{sky} {green} {roofs} {walls}");
+    let picked = share(|[r, g, b]| 2 * g < r && b <= g && 150 < r);
+    let walls = share(|[r, g, b]| 120 < b && b <= g && g <= r && r < b + 90);
+    let street = share(|[r, g, b]| r < 130 && (r - g).abs() < 14 && (g - b).abs() < 14);
+    assert!(
+        0.03 < sky && 0.005 < green && 0.02 < picked && 0.1 < walls && 0.2 < street,
+        "{sky} {green} {picked} {walls} {street}"
+    );
 }

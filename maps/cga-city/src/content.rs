@@ -3,7 +3,8 @@
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cga::sink::gltf::Glb;
-use cga::{DynSession, Error, Report, Scene, SceneSession, Settings, Shape};
+use cga::sink::watertight::Watertight;
+use cga::{DynSession, Error, Report, Scene, SceneSession, Settings, Shape, Sink};
 use cga_geo::footprint::Footprint;
 use cga_geo::frame::Frame;
 
@@ -54,6 +55,8 @@ pub struct Form {
     pub shares_images: bool,
     /// False for files without normals, whose faces share corners.
     pub has_normals: bool,
+    /// True for files whose triangles meet edge to edge, so that no pixel shows through a building.
+    pub is_watertight: bool,
 }
 
 /// Makes the contents of a tile. `None` if the file has more bytes than its form allows and more than one lot: then its lots are divided.
@@ -67,7 +70,7 @@ pub fn content(
     form: Form,
 ) -> Option<Content> {
     let glb = Glb::new().with_assets(rules.settings.assets.clone()).named("tile");
-    let Form { accuracy, most_bytes, shares_images, has_normals } = form;
+    let Form { accuracy, most_bytes, shares_images, has_normals, is_watertight } = form;
     let mut glb = glb.with_quantization(accuracy).without_rules();
     if !has_normals {
         glb = glb.without_normals();
@@ -104,7 +107,7 @@ pub fn content(
     let mut runs = Runs::open(scene, rules);
     for (index, footprint) in numbers.into_iter().enumerate() {
         // A mistake of the runtime must not end a city.
-        let run = catch_unwind(AssertUnwindSafe(|| runs.run(index, &shapes, &mut glb)));
+        let run = catch_unwind(AssertUnwindSafe(|| runs.run(index, &shapes, &mut glb, is_watertight)));
         match run {
             Ok(Ok(report)) => {
                 content.buildings += 1;
@@ -158,15 +161,25 @@ impl<'c> Runs<'c> {
         }
     }
 
-    fn run(&mut self, index: usize, shapes: &[Shape], glb: &mut Glb) -> Result<Report, Error> {
+    fn run(&mut self, index: usize, shapes: &[Shape], glb: &mut Glb, is_watertight: bool) -> Result<Report, Error> {
+        if !is_watertight {
+            return self.run_into(index, shapes, glb);
+        }
+        let mut sink = Watertight::new(glb);
+        let report = self.run_into(index, shapes, &mut sink)?;
+        sink.into_inner();
+        Ok(report)
+    }
+
+    fn run_into(&mut self, index: usize, shapes: &[Shape], sink: &mut dyn Sink) -> Result<Report, Error> {
         match self {
-            Runs::Alone(session) => session.run(&shapes[index], glb),
+            Runs::Alone(session) => session.run(&shapes[index], sink),
             Runs::Scene(scene, settings, session) => {
                 let session = match session {
                     Some(session) => session,
                     none => none.insert(Box::new(scene.session(settings)?)),
                 };
-                session.run(index, glb)
+                session.run(index, sink)
             }
         }
     }

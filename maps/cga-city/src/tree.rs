@@ -80,10 +80,10 @@ impl TreeLevel {
         (self.error / 50.0).max(0.01)
     }
 
-    /// The form of its tiles with at most some bytes.
+    /// The form of its tiles with at most some bytes. Tiles of the near level are watertight: a pixel that shows through is seen nearby alone.
     pub fn form(&self, most_bytes: u64) -> Form {
-        let TreeLevel { shares_images, has_normals, .. } = *self;
-        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals }
+        let TreeLevel { error, shares_images, has_normals, .. } = *self;
+        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals, is_watertight: error == 0.0 }
     }
 }
 
@@ -296,9 +296,9 @@ impl Trees<'_> {
         let mut digest = blake3::Hasher::new();
         digest.update(concat!("cga-city ", env!("CARGO_PKG_VERSION"), " 3").as_bytes());
         let own = &self.levels[level];
-        let Form { accuracy, most_bytes, shares_images, has_normals } = own.form(self.most_bytes);
+        let Form { accuracy, most_bytes, shares_images, has_normals, is_watertight } = own.form(self.most_bytes);
         digest.update(&own.rules.digest).update(&most_bytes.to_le_bytes()).update(&accuracy.to_le_bytes());
-        digest.update(&[shares_images, has_normals].map(u8::from));
+        digest.update(&[shares_images, has_normals, is_watertight].map(u8::from));
         digest.update(piece.cell.to_string().as_bytes());
         for entry in self.lots.entries(piece.lots.clone())? {
             digest.update(&entry.digest);

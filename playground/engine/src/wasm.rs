@@ -64,6 +64,12 @@ impl PageEngine {
         self.last()?.glb().map_err(|why| JsError::new(&why))
     }
 
+    /// The GLB file of the last run for the view. See [`Run::view_glb`].
+    #[wasm_bindgen(js_name = viewGlb)]
+    pub fn view_glb(&self) -> Result<Vec<u8>, JsError> {
+        self.last()?.view_glb().map_err(|why| JsError::new(&why))
+    }
+
     /// The GLB file of the last run with a node for each rule.
     #[wasm_bindgen(js_name = glbByRule)]
     pub fn glb_by_rule(&self) -> Result<Vec<u8>, JsError> {

@@ -9,8 +9,8 @@ export function save(name, content, type) {
 
 /** The files of the menu: each saves the model that is shown, and returns the names of its files. */
 export const FILES = {
-  async glb({ stem, glb }) {
-    save(`${stem}.glb`, glb, 'model/gltf-binary');
+  async glb({ stem, engine }) {
+    save(`${stem}.glb`, await engine.query('glb'), 'model/gltf-binary');
     return [`${stem}.glb`];
   },
   async rules({ stem, engine }) {

@@ -19,7 +19,7 @@ const get = (id) => document.getElementById(id);
 /** `rules` is null for the rules of the catalog, `lot` the name of a lot or `file`, `name` null for the name of the catalog. */
 const state = { grammar: null, rules: null, name: null, lot: null, start: null, seed: 0, values: {} };
 const engine = new Engine();
-/** The model on screen: `{ facts, glb }`, the request that made it, and the state then. */
+/** The model on screen: `{ facts }`, the request that made it, and the state then. */
 let current = null;
 let shown = null;
 let catalog = [];
@@ -239,8 +239,7 @@ function inOrder(work) {
 /** Shows a run. */
 async function put({ facts, glb, took }, asked, { frames, camera, opens }) {
   const begin = performance.now();
-  // The bytes are kept for downloads; the loader does not change them.
-  current = { facts, glb };
+  current = { facts };
   shown = asked;
   get('seed').value = asked.seed;
   controls.update(facts.attributes, facts.used, opens);
@@ -345,10 +344,10 @@ function onAsset(name, bytes) {
 
 async function download() {
   if (!current) return;
-  const { facts, glb } = current;
+  const { facts } = current;
   const stem = `${state.grammar}-${shown.seed}`;
   try {
-    const names = await FILES[get('format').value]({ stem, glb, engine, name: get('rust-name').value, text: editor.value, report: facts.report });
+    const names = await FILES[get('format').value]({ stem, engine, name: get('rust-name').value, text: editor.value, report: facts.report });
     announce(`Saved ${names.join(' and ')}.`);
   } catch (error) {
     announce(error.message);

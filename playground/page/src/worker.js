@@ -19,7 +19,7 @@ const calls = {
   run(request) {
     const begin = performance.now();
     const answer = JSON.parse(engine.run(JSON.stringify(request)));
-    answer.glb = answer.facts ? engine.glb() : null;
+    answer.glb = answer.facts ? engine.viewGlb() : null;
     answer.took = performance.now() - begin;
     return answer;
   },
@@ -30,6 +30,7 @@ const calls = {
   },
   ruleTriangles: (rule) => engine.trianglesOfRule(rule),
   chain: (leaf) => JSON.parse(engine.chain(leaf)),
+  glb: () => engine.glb(),
   glbByRule: () => engine.glbByRule(),
   obj: (library) => engine.obj(library),
 };

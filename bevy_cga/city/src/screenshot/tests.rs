@@ -5,8 +5,8 @@ use bevy_cga::Cga;
 use cga::Shape;
 
 use super::{Order, Step, take};
-use crate::district::House;
 use crate::pick::Picked;
+use crate::rules::House;
 use crate::scene::Building;
 
 /// An app that has chosen one of the buildings with these numbers, or ends.
@@ -28,15 +28,15 @@ fn number(app: &App) -> usize {
     assert!(app.world().resource::<Order>().step == Step::Change && app.should_exit().is_none());
     let building = app.world().resource::<Picked>().building.expect("a building");
     let cga = app.world().get::<Cga>(building).expect("a grammar");
-    assert_eq!(cga.grammar.get("storeys"), Ok(9.0.into()));
+    assert_eq!(cga.grammar.get("storeys"), Ok(6.0.into()));
     app.world().get::<Building>(building).expect("a number").0
 }
 
 #[test]
 fn the_building_with_the_nearest_number_is_picked() {
-    assert_eq!(number(&chosen(&[103, 104, 105])), 104);
+    assert_eq!(number(&chosen(&[143, 144, 145])), 144);
     assert_eq!(number(&chosen(&[0, 2, 1])), 2);
-    assert_eq!(number(&chosen(&[105, 103])), 103);
+    assert_eq!(number(&chosen(&[145, 143])), 143);
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use cga_city::build::{NoProgress, Options};
 use cga_city::glb_bounds::glb_bounds;
+use cga_city::rules::Rules;
 use cga_geo::synthetic::Town;
 use serde_json::Value;
 
@@ -214,4 +215,44 @@ fn far_tiles_without_normals_are_small_and_have_all_buildings() {
         list
     };
     assert_eq!(sorted(&plain), sorted(&lit));
+}
+
+#[test]
+fn near_tiles_are_watertight_and_far_ones_are_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (lots, out, rules) = (folder.path().join("one.fgb"), folder.path().join("out"), folder.path().join("walls.cga"));
+    Town::new(1).write(&lots).expect("room");
+    // A storey with wide bays below one with narrow ones, nearby and far away.
+    let walls = "@StartRule Lot --> extrude(6) comp(f) { side : Wall | all : Roof. }
+        Wall --> split(y) { '0.5 : Bays(2) | ~1 : Bays(3) }
+        Bays(n) --> split(x) { { '1 / n : Bay. }* }
+        @StartRule Far --> Lot";
+    std::fs::write(&rules, walls).expect("room");
+    let rules = Rules::open(&[&rules]).expect("good rules");
+    let options = Options { levels: vec!["Far".parse().expect("a rule")], ..options() };
+    let summary = build(&lots, &out, &rules, options, &NoProgress).expect("a city");
+    assert_eq!(summary.lost, 0, "{summary:?}");
+    let corners = |level| -> u64 {
+        let files = files(&out).into_iter().filter(|(name, _)| is_tile(name, level));
+        files.map(|(_, bytes)| triangle_corners(&bytes)).sum()
+    };
+    // On each side, two corners of the bays above are in edges below, and one the other way round: three triangles more.
+    let [near, far] = [corners(0), corners(1)];
+    let sides = (near - far) / 9;
+    assert_eq!((near - far) % 9, 0, "{near} {far}");
+    assert!(4 <= sides, "{near} {far}");
+}
+
+/// The number of the corners of all triangles of a file.
+fn triangle_corners(bytes: &[u8]) -> u64 {
+    let json = cga_city::glb_bounds::json(bytes).expect("GLB");
+    let primitives = json["meshes"].as_array().expect("meshes").iter().flat_map(|mesh| {
+        mesh["primitives"].as_array().expect("primitives").iter().map(|primitive| primitive["indices"].as_u64())
+    });
+    primitives
+        .map(|index| {
+            let accessor = &json["accessors"][index.expect("an index") as usize];
+            accessor["count"].as_u64().expect("a count")
+        })
+        .sum()
 }
