@@ -5,7 +5,7 @@ use std::error::Error;
 
 use cga::street::{Network, NetworkOptions};
 #[cfg(feature = "eval")]
-use cga::{Grammar, RuleFile};
+use cga::{Grammar, Grammars, RuleFile};
 use cga::{Model, Settings, Shape};
 
 use crate::scenes::materials::single_pixels;
@@ -51,7 +51,31 @@ fn rule_files() -> Vec<Drawn> {
     vec![
         file("example from_file", "examples/rules/house.cga", house),
         file("playground house", "playground/engine/house.cga", Shape::rectangle(20.0, 15.0)),
+        Drawn::new("city in Bevy", bevy_street),
     ]
+}
+
+/// Three houses of the city in `bevy_cga`, at a street with parked cars.
+#[cfg(feature = "eval")]
+fn bevy_street(settings: &Settings) -> Made {
+    let open = |name| RuleFile::open(root().join(format!("bevy_cga/city/rules/{name}.cga")));
+    let grammars = Grammars::new().with_named("House", open("house")?).with_named("Ground", open("ground")?);
+    let ground = |start, size: [f64; 2], at: [f64; 3]| {
+        Shape::rectangle(size[0], size[1]).at(at).grammar("Ground").start(start).seed(at[0].abs() as u64)
+    };
+    let house = |number: u32| {
+        let at = [13.0 * f64::from(number), 0.15, -15.0];
+        Shape::rectangle(13.0, 12.0).at(at).grammar("House").seed(number.into())
+    };
+    let lane = |number: u32| ground("Street", [15.0, 5.0], [15.0 * f64::from(number) - 3.0, 0.0, 0.0]);
+    let around = [
+        ground("Asphalt", [60.0, 13.0], [-8.0, 0.0, 0.0]),
+        ground("Sidewalk", [60.0, 40.0], [-8.0, 0.0, -40.0]),
+        ground("Garden", [54.0, 18.0], [-5.0, 0.17, -37.0]),
+    ];
+    let lots: Vec<Shape> = (0..3).map(house).chain((0..3).map(lane)).chain(around).collect();
+    let settings = Settings { assets: single_pixels(), ..settings.clone() };
+    Ok(cga::Scene::of_grammars(&grammars, &lots).generate(&settings)?.to_model())
 }
 
 #[cfg(not(feature = "eval"))]

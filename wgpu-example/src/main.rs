@@ -11,15 +11,14 @@ mod tests;
 use std::error::Error;
 
 use cga::sink::meshes::Granularity;
+use cga::sink::picture::Image;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = gallery::model()?;
     // Nearby, single pixels would show through the walls where storeys meet.
     let meshes = model.watertight().meshes(Granularity::Material);
-    let pixels = pollster::block_on(draw::draw(&meshes))?;
-    let mut png = png::Encoder::new(std::fs::File::create("wgpu.png")?, draw::WIDTH, draw::HEIGHT);
-    png.set_color(png::ColorType::Rgba);
-    png.write_header()?.write_image_data(&pixels)?;
+    let rgba = pollster::block_on(draw::draw(&meshes))?;
+    Image { width: draw::WIDTH as usize, height: draw::HEIGHT as usize, rgba }.write_indexed_png("wgpu.png")?;
     println!("wrote wgpu.png: {} leaves", model.len());
     Ok(())
 }

@@ -38,6 +38,8 @@ pub struct Options {
     pub shares_images: bool,
     /// True for far tiles without normals, which are smaller. Some viewers show them without light and shade.
     pub plain_far: bool,
+    /// True for near tiles whose triangles meet edge to edge, so that single pixels do not show through a façade. They take several times as long.
+    pub watertight_near: bool,
     /// The distances up to which rules find other lots; `None` for rules that find no others.
     pub neighbours: Option<Distances>,
 }
@@ -51,6 +53,7 @@ impl Default for Options {
             jobs: None,
             shares_images: true,
             plain_far: false,
+            watertight_near: false,
             neighbours: Some(Distances::default()),
         }
     }
@@ -289,9 +292,17 @@ impl Options {
         let near = Level { error: Some(0.0), ..Level::default() };
         let mut lots = self.lots_per_tile.max(1);
         let mut error = LEVEL_ERROR.0;
-        let Options { neighbours, shares_images, plain_far, .. } = *self;
-        let mut levels =
-            vec![TreeLevel { rules: rules.at(&near)?, lots, error: 0.0, neighbours, shares_images, has_normals: true }];
+        let Options { neighbours, shares_images, plain_far, watertight_near, .. } = *self;
+        let near = TreeLevel {
+            rules: rules.at(&near)?,
+            lots,
+            error: 0.0,
+            neighbours,
+            shares_images,
+            has_normals: true,
+            is_watertight: watertight_near,
+        };
+        let mut levels = vec![near];
         for (number, level) in self.levels.iter().enumerate() {
             let is_same = |other: &Level| (&other.start, &other.values) == (&level.start, &level.values);
             if self.levels[..number].iter().any(is_same) {
@@ -307,7 +318,8 @@ impl Options {
                 ));
             }
             let rules = rules.at(level).map_err(|why| format!("the level `{level}`: {why}"))?;
-            levels.push(TreeLevel { rules, lots, error, neighbours, shares_images, has_normals: !plain_far });
+            let has_normals = !plain_far;
+            levels.push(TreeLevel { rules, lots, error, neighbours, shares_images, has_normals, is_watertight: false });
             error *= LEVEL_ERROR.1;
         }
         Ok(levels)

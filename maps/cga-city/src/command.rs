@@ -33,6 +33,7 @@ pub(crate) fn city(options: &CityOptions) -> Result<Status, Problem> {
         jobs: options.jobs.map(|jobs| jobs as usize),
         shares_images: !options.embed_images,
         plain_far: options.plain_far,
+        watertight_near: options.watertight,
         neighbours: Some(Distances { occlusion: options.occlusion_distance, context: options.context_distance }),
     };
     // Wrong levels are reported before a file is read.

@@ -72,6 +72,8 @@ pub struct TreeLevel {
     pub shares_images: bool,
     /// False for tiles without normals.
     pub has_normals: bool,
+    /// True for tiles whose triangles meet edge to edge.
+    pub is_watertight: bool,
 }
 
 impl TreeLevel {
@@ -80,10 +82,10 @@ impl TreeLevel {
         (self.error / 50.0).max(0.01)
     }
 
-    /// The form of its tiles with at most some bytes. Tiles of the near level are watertight: a pixel that shows through is seen nearby alone.
+    /// The form of its tiles with at most some bytes.
     pub fn form(&self, most_bytes: u64) -> Form {
-        let TreeLevel { error, shares_images, has_normals, .. } = *self;
-        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals, is_watertight: error == 0.0 }
+        let TreeLevel { shares_images, has_normals, is_watertight, .. } = *self;
+        Form { accuracy: self.accuracy(), most_bytes, shares_images, has_normals, is_watertight }
     }
 }
 
@@ -342,8 +344,15 @@ mod tests {
         let file = RuleFile::from_text("@StartRule Lot --> extrude(9) X.").expect("good rules");
         let rules = Rules::new(vec![file]).expect("rules").at(&Level::default()).expect("rules");
         let store = Folder(folder.path().join("city"));
-        let levels =
-            [TreeLevel { rules, lots: 2, error: 0.0, neighbours: None, shares_images: true, has_normals: true }];
+        let levels = [TreeLevel {
+            rules,
+            lots: 2,
+            error: 0.0,
+            neighbours: None,
+            shares_images: true,
+            has_normals: true,
+            is_watertight: false,
+        }];
         let trees = Trees { lots: &lots, levels: &levels, store: &store, most_bytes: u64::MAX, each: &|_| Ok(()) };
         let all = trees.piece(0..8).expect("lots").expect("lots");
         let pieces = trees.cut(all, 4).expect("pieces");

@@ -185,6 +185,9 @@ fn run(
     Ok((Run { grammar, text: text.to_owned(), lots, starts, settings, model }, notes))
 }
 
+/// The most leaves of a model that is shown without cracks.
+const NEAR_LEAVES: usize = 4000;
+
 /// The model of all initial shapes, and the number of leaves before each.
 pub(crate) fn generate(
     grammar: &(dyn Grammar + Sync),
@@ -217,11 +220,15 @@ impl Run {
         self.model.to_glb().map_err(|error| error.to_string())
     }
 
-    /// The GLB file without cracks: near the camera, single pixels would show through walls.
+    /// The GLB file for the view. A small model, which is seen from nearby, has no cracks through which single pixels would show. A large one
+    /// is as the file for downloads, as its run would take several times as long.
     ///
     /// # Errors
     /// A sentence about the model.
     pub fn view_glb(&self) -> Result<Vec<u8>, String> {
+        if NEAR_LEAVES < self.model.len() {
+            return self.glb();
+        }
         self.model.watertight().to_glb().map_err(|error| error.to_string())
     }
 

@@ -220,7 +220,8 @@ fn far_tiles_without_normals_are_small_and_have_all_buildings() {
 #[test]
 fn near_tiles_are_watertight_and_far_ones_are_not() {
     let folder = tempfile::tempdir().expect("a folder");
-    let (lots, out, rules) = (folder.path().join("one.fgb"), folder.path().join("out"), folder.path().join("walls.cga"));
+    let (lots, out, rules) =
+        (folder.path().join("one.fgb"), folder.path().join("out"), folder.path().join("walls.cga"));
     Town::new(1).write(&lots).expect("room");
     // A storey with wide bays below one with narrow ones, nearby and far away.
     let walls = "@StartRule Lot --> extrude(6) comp(f) { side : Wall | all : Roof. }
@@ -229,7 +230,7 @@ fn near_tiles_are_watertight_and_far_ones_are_not() {
         @StartRule Far --> Lot";
     std::fs::write(&rules, walls).expect("room");
     let rules = Rules::open(&[&rules]).expect("good rules");
-    let options = Options { levels: vec!["Far".parse().expect("a rule")], ..options() };
+    let options = Options { levels: vec!["Far".parse().expect("a rule")], watertight_near: true, ..options() };
     let summary = build(&lots, &out, &rules, options, &NoProgress).expect("a city");
     assert_eq!(summary.lost, 0, "{summary:?}");
     let corners = |level| -> u64 {
