@@ -77,6 +77,15 @@ def test_rows_that_cannot_be_used_are_in_the_table(tmp_path: Path) -> None:
     assert (numbers["failed_rows"], numbers["lost_rows"]) == (5, 3)
 
 
+def test_equal_batches_of_rows_that_cannot_be_used_have_all_their_lines(tmp_path: Path) -> None:
+    house = pa.table({"geometry": pa.array([shapely.box(9, 48, 9.0001, 48.0001).wkb], pa.binary())})
+    broken = pa.table({"geometry": pa.array([None, b""], pa.binary())})
+    for count in (3, 2):
+        numbers = make(city(tmp_path, PLAIN), [house] + count * [broken])
+        assert (numbers["lots"], numbers["failed_rows"], numbers["lost_rows"]) == (1, 2 * count, 2 * count)
+        assert len(failures(*(tmp_path / "failures/rows").iterdir())) == 2 * count
+
+
 def test_lots_that_changed_after_they_were_counted_are_refused(tmp_path: Path) -> None:
     lots = towns.town(broken=False)
     plan = towns.plan(city(tmp_path, ASKING), [lots])

@@ -5,7 +5,7 @@ use std::fs;
 use datafusion::dataframe::DataFrameWriteOptions;
 use datafusion::prelude::{ParquetReadOptions, SessionContext};
 
-use crate::world::{World, assert_equal, files};
+use crate::world::{World, assert_equal, expected_failures, failures, files};
 
 /// Changes the columns of a file of lots by a query.
 async fn change(world: &World, file: usize, columns: &str) {
@@ -34,6 +34,21 @@ async fn lots_without_a_column_for_the_rules_are_built() {
     let summary = world.run().await.expect("a city");
     assert_eq!(summary.lost_rows, 3);
     assert_equal(&files(&world.path("out")), &files(&world.expected()));
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn equal_batches_of_rows_that_failed_have_all_their_lines() {
+    let world = World::new(1, 60, 0);
+    // Several batches have nothing but rows without a geometry.
+    change(&world, 0, "unnest(array_resize([geometry], case id when 1 then 40001 else 1 end)) as geometry").await;
+    let summary = world.run().await.expect("a city");
+    assert_eq!((summary.failed_rows, summary.lost_rows), (40_000, 40_000));
+    assert_equal(&files(&world.path("out")), &files(&world.expected()));
+    let found = failures(&world.path("out"));
+    assert!(found == expected_failures(&world.path("expected")), "{} lines", found[0].len());
+    // The same parts again.
+    world.run().await.expect("a city");
+    assert!(found == failures(&world.path("out")));
 }
 
 #[tokio::test(flavor = "multi_thread")]
