@@ -38,7 +38,8 @@ impl ArrowTable {
             return Ok(None);
         }
         let wrong = |why: PyErr| {
-            let why = format!("{} is not a table of Arrow ({why}); give a table with a column of WKB", type_name(&given));
+            let why =
+                format!("{} is not a table of Arrow ({why}); give a table with a column of WKB", type_name(&given));
             PyTypeError::new_err(why)
         };
         let reader = || given.extract::<PyRecordBatchReader>().map_err(wrong);
