@@ -129,7 +129,6 @@ impl Job {
                 ));
             }
         };
-        let text = |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
         let (usual, near) = (Options::default(), Distances::default());
         let options = Options {
             levels: self.lod.iter().map(|level| level.parse()).collect::<Result<_, _>>()?,
@@ -145,7 +144,7 @@ impl Job {
             rules: self.rules.iter().map(rules).collect::<Result<_, String>>()?,
             compiled: self.compiled.clone(),
             assets: self.assets.clone(),
-            values: self.set.iter().map(|(name, value)| (name.clone(), text(value))).collect(),
+            values: self.set.iter().map(|(name, value)| (name.clone(), text_of(value))).collect(),
             columns: Columns {
                 id: self.id.clone(),
                 grammar: self.grammar_column.clone(),
@@ -156,6 +155,24 @@ impl Job {
             crs,
             options,
         })
+    }
+}
+
+/// The text of a value, as rules read it: texts of arrays have quotes, and rows end with `;`.
+fn text_of(value: &toml::Value) -> String {
+    fn elements(list: &[toml::Value]) -> String {
+        let is_of_rows = list.iter().any(toml::Value::is_array);
+        let element = |value: &toml::Value| match value {
+            toml::Value::String(text) => format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"")),
+            toml::Value::Array(row) => elements(row),
+            other => other.to_string(),
+        };
+        list.iter().map(element).collect::<Vec<_>>().join(if is_of_rows { "; " } else { ", " })
+    }
+    match value {
+        toml::Value::String(text) => text.clone(),
+        toml::Value::Array(list) => format!("[{}]", elements(list)),
+        other => other.to_string(),
     }
 }
 
@@ -185,7 +202,7 @@ mod tests {
     fn a_job_has_paths_relative_to_its_file_and_values_as_text() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("job.toml");
-        let rules = "attr slope = 30  attr kind = \"home\"  @StartRule Lot --> extrude(9) X.";
+        let rules = "attr slope = 30  attr kind = \"home\"  attr names = [\"a\"]  attr sizes = [1]  @StartRule Lot --> extrude(9) X.";
         std::fs::write(folder.path().join("house.cga"), rules).expect("room");
         let text = "store = \"out\"\nlots = [\"lots.parquet\", \"s3://maps/a.parquet\"]\nrules = [\"house.cga\"]\n\
                     set = { slope = 40, kind = \"shop\" }\nlod = [\"slope=0@9\"]";
@@ -199,6 +216,11 @@ mod tests {
         let values = [("kind", "shop"), ("slope", "40")].map(|(name, value)| (name.to_owned(), value.to_owned()));
         assert_eq!((work.values.as_slice(), work.crs, work.options.levels.len()), (&values[..], 25832, 1));
         assert!(work.load_rules().is_ok());
+        let arrays = text.replace("slope = 40", "sizes = [[1, 2.5], [3, 4]], names = ['a;\"b', 'c\\d', \"e\"]");
+        std::fs::write(&path, arrays).expect("room");
+        let work = Job::open(&path).and_then(|job| job.work(&FileCrs::None)).expect("arrays");
+        assert!(work.load_rules().is_ok(), "{:?}", work.load_rules());
+        assert_eq!(work.values[2], ("sizes".to_owned(), "[1, 2.5; 3, 4]".to_owned()));
         std::fs::write(&path, format!("{text}\ncolour = 3")).expect("room");
         assert!(Job::open(&path).expect_err("unknown").contains("colour"));
         for (right, wrong, proposal) in [

@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod arguments;
+mod columns;
 pub mod engine;
 pub mod functions;
 pub mod job;

@@ -130,6 +130,20 @@ pub fn main(grammars: impl IntoIterator<Item = Box<dyn Grammar + Send + Sync>>) 
     }
 }
 
+/// The most threads of a process, and the most parts of queries that run at a time in it. Its memory grows with their square.
+const MOST_THREADS: usize = 1024;
+
+/// The most parts of queries that run at a time on a cluster.
+const MOST_ON_CLUSTER: usize = 4096;
+
+/// A number of threads or parts from 1 to a bound.
+///
+/// # Errors
+/// A sentence: the number is larger.
+fn bounded(name: &str, count: usize, most: usize) -> Result<usize, String> {
+    (count <= most).then_some(count.max(1)).ok_or_else(|| format!("{name}: {count} is too many; write at most {most}"))
+}
+
 async fn command(command: Command) -> Result<(), String> {
     let processors = available_parallelism().map_or(1, usize::from);
     match command {
@@ -141,7 +155,8 @@ async fn command(command: Command) -> Result<(), String> {
             Ok(())
         }
         Command::Run(RunOptions { job, threads, quiet }) => {
-            embedded(&Job::open(&job)?, threads.unwrap_or(processors).max(1), quiet).await
+            let threads = bounded("--threads", threads.unwrap_or(processors), MOST_THREADS)?;
+            embedded(&Job::open(&job)?, threads, quiet).await
         }
         Command::Submit(options) => {
             let job = Job::open(&options.job)?;
@@ -152,7 +167,8 @@ async fn command(command: Command) -> Result<(), String> {
                 )
             })?;
             let address = format!("http://{}", options.scheduler);
-            let engine = Engine::ballista(&address, job.partitions.unwrap_or(processors));
+            let partitions = bounded("partitions", job.partitions.unwrap_or(processors), MOST_ON_CLUSTER)?;
+            let engine = Engine::ballista(&address, partitions);
             let engine = engine.map_err(|why| why.to_string())?;
             wait_for_executor(&engine, &options.scheduler).await?;
             make(&engine, &job, options.quiet).await
@@ -162,7 +178,8 @@ async fn command(command: Command) -> Result<(), String> {
             let wrong = || format!("`{scheduler}` is not a host with a port, as in `127.0.0.1:50050`");
             let (scheduler_host, scheduler_port) = scheduler.rsplit_once(':').ok_or_else(wrong)?;
             let scheduler_port = scheduler_port.parse().map_err(|_| wrong())?;
-            let (scheduler_host, cores) = (scheduler_host.to_owned(), cores.unwrap_or(processors).max(1));
+            let cores = bounded("--cores", cores.unwrap_or(processors), MOST_THREADS)?;
+            let scheduler_host = scheduler_host.to_owned();
             threads(cores)?;
             engine::executor(engine::Executor { scheduler_host, scheduler_port, host, port, cores, folder }).await
         }
@@ -184,8 +201,9 @@ async fn wait_for_executor(engine: &Engine, scheduler: &str) -> Result<(), Strin
 
 /// Runs a job in this process.
 async fn embedded(job: &Job, count: usize, is_quiet: bool) -> Result<(), String> {
+    let partitions = bounded("partitions", job.partitions.unwrap_or(count), MOST_THREADS)?;
     threads(count)?;
-    let engine = Engine::embedded(job.partitions.unwrap_or(count)).map_err(|why| why.to_string())?;
+    let engine = Engine::embedded(partitions).map_err(|why| why.to_string())?;
     make(&engine, job, is_quiet).await
 }
 
@@ -208,4 +226,26 @@ async fn make(engine: &Engine, job: &Job, is_quiet: bool) -> Result<(), String> 
         job.store.trim_end_matches('/')
     );
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[tokio::test]
+    async fn too_many_threads_and_parts_are_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("job.toml");
+        std::fs::write(&path, "store = \"out\"\nlots = [\".\"]\npartitions = 5000").expect("room");
+        let job = path.to_string_lossy();
+        for (arguments, why) in [
+            (vec!["run", &job, "--threads", "5000"], "--threads: 5000 is too many; write at most 1024"),
+            (vec!["run", &job], "partitions: 5000 is too many; write at most 1024"),
+            (vec!["executor", "--cores", "5000"], "--cores: 5000 is too many; write at most 1024"),
+        ] {
+            let options = Options::parse_from(["cga-cluster"].into_iter().chain(arguments));
+            assert_eq!(command(options.command).await, Err(why.to_owned()));
+        }
+        assert_eq!((bounded("a", 0, 3), bounded("a", 3, 3)), (Ok(1), Ok(3)));
+    }
 }

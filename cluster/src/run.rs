@@ -1,12 +1,13 @@
 //! A job from its rows to the root of the city, in queries of an engine.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::HashMap;
 use std::time::Duration;
 
 use cga_city::area::Area;
 use cga_city::tally::Tally;
 use cga_city::tree::block_lots;
 use cga_city::units::city::{Finished, begin, delete_old_files, finish, keep_failed, unfinished};
+use cga_city::units::failed_rows::{FailedPart, FailedParts};
 use cga_city::units::lot::Sums;
 use cga_city::units::plan::{Count, Plan, Unit};
 use datafusion::arrow::array::{Array as _, AsArray as _, RecordBatch};
@@ -99,11 +100,11 @@ pub async fn run(engine: &Engine, job: &Job, progress: &dyn Progress) -> Result<
     }
 
     progress.step("checking rows", None);
-    let mut parts = BTreeMap::new();
+    let mut parts = FailedParts::default();
     for batch in engine.retry(&failures(&call("cga_failures"))).await? {
-        parts.extend(parts_of(&batch)?);
+        parts_of(&batch)?.into_iter().for_each(|part| parts.add(part));
     }
-    let [failed_rows, lost_rows] = [0, 1].map(|at: usize| parts.values().map(|part| part[at]).sum());
+    let [failed_rows, lost_rows] = [parts.lines(), parts.lost()];
     // Also the parts of a query that failed and was tried again.
     keep_failed(&store, &parts).map_err(|why| why.to_string())?;
 
@@ -155,12 +156,12 @@ fn failures(failures: &str) -> String {
     )
 }
 
-/// The names of parts of the table, each with the number of its lines and the number of losses.
-fn parts_of(batch: &RecordBatch) -> Result<Vec<(String, [u64; 2])>, String> {
+/// The parts of the table of rows that failed.
+fn parts_of(batch: &RecordBatch) -> Result<Vec<FailedPart>, String> {
     let names = cast(batch.column(0), &DataType::Utf8).map_err(|why| why.to_string())?;
     let (lines, lost) = (column(batch, 1)?, column(batch, 2)?);
     let names = names.as_string::<i32>().iter().flatten().map(str::to_owned);
-    Ok(names.zip(lines.into_iter().zip(lost)).map(|(name, (lines, lost))| (name, [lines, lost])).collect())
+    Ok(names.zip(lines.into_iter().zip(lost)).map(|(name, (lines, lost))| FailedPart { name, lines, lost }).collect())
 }
 
 /// The lots that each unit reads.

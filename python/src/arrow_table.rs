@@ -37,7 +37,13 @@ impl ArrowTable {
         if given.getattr_opt("__arrow_c_stream__")?.is_none() {
             return Ok(None);
         }
-        let read = || Ok::<_, PyErr>(given.extract::<PyRecordBatchReader>()?.into_table()?.into_inner());
+        let wrong = |why: PyErr| {
+            let why =
+                format!("{} is not a table of Arrow ({why}); give a table with a column of WKB", type_name(&given));
+            PyTypeError::new_err(why)
+        };
+        let reader = || given.extract::<PyRecordBatchReader>().map_err(wrong);
+        let read = || Ok::<_, PyErr>(reader()?.into_table()?.into_inner());
         let (batches, _) = catch_unwind(AssertUnwindSafe(read)).map_err(|_| panicked(given.py()))??;
         Ok(Some(ArrowTable { batches }))
     }

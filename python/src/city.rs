@@ -142,8 +142,7 @@ impl City {
             Ok(plan)
         };
         let plan = guarded(py, plan)?.map_err(CityError::new_err)?;
-        let failed = [0, 1].map(|at: usize| failed.values().map(|part| part[at]).sum());
-        Ok(CityPlan::new(city, plan, failed))
+        Ok(CityPlan::new(city, plan, [failed.lines(), failed.lost()]))
     }
 
     fn __repr__(&self) -> String {

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use cga::{Grammar as _, RuleFile as Rules, Value, ValueType};
+use cga::{Array, Grammar as _, RuleFile as Rules, Text, Value, ValueType};
 use cga_city::build::Options;
 use cga_city::surroundings::{Distances, MOST_DISTANCE};
 use cga_city::units::work::{LoadedWork, RuleTexts};
@@ -84,12 +84,26 @@ pub(crate) fn values(
         let kind = files.iter().find_map(|file| kind_of(file.get().rules(), &name));
         let value = from_python(&given, kind);
         let value = value.map_err(|why| AttributeValueError::new_err(format!("attribute `{name}`: {why}")))?;
-        // The texts of numbers in rules have fewer digits.
-        let text = if let Value::Float(number) = value { number.to_string() } else { value.to_string() };
-        values.push((name, text));
+        values.push((name, text_of(&value)));
     }
     values.sort();
     Ok(values)
+}
+
+/// The text of a value, as rules read it. The language prints numbers with fewer digits, and texts of arrays without quotes.
+fn text_of(value: &Value) -> String {
+    fn rows<T>(array: &Array<T>, element: impl Fn(&T) -> String) -> String {
+        let row = |row: &[T]| row.iter().map(&element).collect::<Vec<_>>().join(", ");
+        format!("[{}]", array.iter_rows().map(row).collect::<Vec<_>>().join("; "))
+    }
+    let quoted = |text: &Text| format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""));
+    match value {
+        Value::Float(number) => number.to_string(),
+        Value::Floats(array) => rows(array, f64::to_string),
+        Value::Bools(array) => rows(array, bool::to_string),
+        Value::Texts(array) => rows(array, quoted),
+        other => other.to_string(),
+    }
 }
 
 fn kind_of(rules: &Rules, name: &str) -> Option<ValueType> {

@@ -5,14 +5,14 @@ use pyo3::prelude::*;
 
 use crate::errors::RuleError;
 
-/// An error or a warning about rules. `str(diagnostic)` is the text with the line of the rules.
+/// An error or a warning about rules. `str(diagnostic)` is the text with the line of the rules. A diagnostic can be pickled, as the exceptions that have it.
 #[pyclass(frozen, get_all, module = "pycga")]
 #[derive(Clone, Debug)]
 pub(crate) struct Diagnostic {
     /// `"error"` or `"warning"`.
-    level: &'static str,
+    level: String,
     /// The name of the diagnostic, as `@Allow` takes it; empty for a file that cannot be read.
-    code: &'static str,
+    code: String,
     /// The problem in one sentence.
     message: String,
     /// The corrections that the compiler proposes.
@@ -31,8 +31,26 @@ pub(crate) struct Diagnostic {
     text: String,
 }
 
+/// The texts of a diagnostic in the order of its fields, and its places.
+type Parts = (String, String, String, Vec<String>, String, [usize; 4], String);
+
 #[pymethods]
 impl Diagnostic {
+    /// Loads a diagnostic that was pickled.
+    #[staticmethod]
+    #[pyo3(name = "_rebuild")]
+    fn rebuild(parts: Parts) -> Self {
+        let (level, code, message, help, file, [line, column, end_line, end_column], text) = parts;
+        Diagnostic { level, code, message, help, file, line, column, end_line, end_column, text }
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, (Parts,))> {
+        let own = self.clone();
+        let places = [own.line, own.column, own.end_line, own.end_column];
+        let parts = (own.level, own.code, own.message, own.help, own.file, places, own.text);
+        Ok((py.get_type::<Diagnostic>().getattr("_rebuild")?, (parts,)))
+    }
+
     fn __str__(&self) -> &str {
         &self.text
     }
@@ -45,8 +63,8 @@ impl Diagnostic {
 impl From<&RuleDiagnostic> for Diagnostic {
     fn from(diagnostic: &RuleDiagnostic) -> Self {
         Diagnostic {
-            level: if diagnostic.is_error { "error" } else { "warning" },
-            code: diagnostic.code,
+            level: if diagnostic.is_error { "error" } else { "warning" }.to_owned(),
+            code: diagnostic.code.to_owned(),
             message: diagnostic.message.clone(),
             help: diagnostic.help.clone(),
             file: diagnostic.file.clone(),
@@ -62,8 +80,8 @@ impl From<&RuleDiagnostic> for Diagnostic {
 /// The exception for rules that cannot be loaded.
 pub(crate) fn rule_error(py: Python<'_>, error: &RuleFileError) -> PyErr {
     let unread = |message: &String| Diagnostic {
-        level: "error",
-        code: "",
+        level: "error".to_owned(),
+        code: String::new(),
         message: message.clone(),
         help: Vec::new(),
         file: String::new(),

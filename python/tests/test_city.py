@@ -3,6 +3,7 @@
 import _thread
 import os
 import pickle
+import struct
 import subprocess
 import threading
 from pathlib import Path
@@ -77,6 +78,15 @@ def test_rows_that_cannot_be_used_are_in_the_table(tmp_path: Path) -> None:
     assert (numbers["failed_rows"], numbers["lost_rows"]) == (5, 3)
 
 
+def test_equal_batches_of_rows_that_cannot_be_used_have_all_their_lines(tmp_path: Path) -> None:
+    house = pa.table({"geometry": pa.array([shapely.box(9, 48, 9.0001, 48.0001).wkb], pa.binary())})
+    broken = pa.table({"geometry": pa.array([None, b""], pa.binary())})
+    for count in (3, 2):
+        numbers = make(city(tmp_path, PLAIN), [house] + count * [broken])
+        assert (numbers["lots"], numbers["failed_rows"], numbers["lost_rows"]) == (1, 2 * count, 2 * count)
+        assert len(failures(*(tmp_path / "failures/rows").iterdir())) == 2 * count
+
+
 def test_lots_that_changed_after_they_were_counted_are_refused(tmp_path: Path) -> None:
     lots = towns.town(broken=False)
     plan = towns.plan(city(tmp_path, ASKING), [lots])
@@ -103,6 +113,7 @@ def test_all_units_are_needed(tmp_path: Path) -> None:
         (lots, "no column `unit`"),
         (pa.table({"unit": [9], "lot": [b""]}), "no unit 9"),
         (pa.table({"unit": [0], "lot": [b"no"]}), "not a footprint"),
+        (pa.table({"unit": [0], "lot": [bytes(14)]}), "not a footprint: a ring has no area"),
     ]:
         with pytest.raises(pycga.CityError, match=why):
             plan.make(group)
@@ -141,14 +152,32 @@ def test_wrong_choices_and_tables_are_refused_with_a_reason(tmp_path: Path) -> N
         city(tmp_path / "out", PLAIN, geometry="height").count(lots)
     with pytest.raises(pycga.CityError, match="the column `id` has the type"):
         one.count(lots.set_column(0, "id", pa.array([[1]] * len(lots))))
-    with pytest.raises(TypeError, match="not a table of Arrow"):
-        one.count([1])  # type: ignore[arg-type]
+    for table in ([1], lots["geometry"], lots["geometry"].to_pandas()):
+        with pytest.raises(TypeError, match="not a table of Arrow"):
+            one.count(table)  # type: ignore[arg-type]
     with pytest.raises(pycga.CityError, match="count all rows again"):
         one.plan([city(tmp_path / "out", ASKING).count(lots)])
     with pytest.raises(pycga.CityError, match="not the counts of rows"):
         one.plan([b"no"])
     with pytest.raises(pycga.CityError, match="the city is empty"):
         one.plan([one.count(lots.slice(481, 3))])
+
+
+def test_attributes_may_be_arrays(tmp_path: Path) -> None:
+    names = ["", "shed", 'a "wide; low" \\ house']
+    text = 'attr sizes = [1]  attr names = [""]  attr flags = [true]  Lot --> report("size", sizes[1, 1]) report("name", names[2]) '
+    rules = pycga.RuleFile.from_text(text + 'report("flag", flags[1]) extrude(3) X.', name="town")
+    third = 1 / 3
+    for attributes, digits in [
+        ({"sizes": [[1, 2], [3, third]], "names": names, "flags": [True, False]}, third),
+        ({"sizes": [[1.0, 2.0], [3.0, 1e300]], "names": tuple(names), "flags": [False, True]}, 1e300),
+    ]:
+        folder = tmp_path / str(digits)
+        make(pycga.City(folder, rules, attributes=attributes), [towns.town(1, 1, broken=False)])  # type: ignore[arg-type]
+        (tile,) = folder.rglob("*.glb")
+        bytes_of_tile = tile.read_bytes()
+        assert struct.pack("<d", digits) in bytes_of_tile and names[2].encode() in bytes_of_tile
+    make(pycga.City(tmp_path / "empty", rules, attributes={"sizes": [], "names": []}), [towns.town(1, 1, broken=False)])
 
 
 def test_rules_of_several_files_and_metres(tmp_path: Path) -> None:

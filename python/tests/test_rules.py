@@ -174,3 +174,14 @@ def test_other_processes_make_the_same_bytes(house: pycga.RuleFile) -> None:
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
         made = list(pool.map(bytes_in_process, [house] * 3, widths))
     assert made == [bytes_in_process(house, width) for width in widths]
+
+
+def test_errors_of_workers_have_their_diagnostics() -> None:
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as workers:
+        failed = workers.submit(pycga.RuleFile.from_text, "Lot --> extrude(").exception()
+    assert isinstance(failed, pycga.RuleError) and "never closed" in str(failed)
+    with pytest.raises(pycga.RuleError) as own:
+        pycga.RuleFile.from_text("Lot --> extrude(")
+    (found,), (expected,) = failed.diagnostics, own.value.diagnostics
+    names = ("level", "code", "message", "help", "file", "line", "column", "end_line", "end_column", "text")
+    assert [getattr(found, name) for name in names] == [getattr(expected, name) for name in names]

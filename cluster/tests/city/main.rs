@@ -3,6 +3,7 @@
 mod cluster;
 mod compiled;
 mod embedded;
+mod lots;
 mod neighbours;
 mod s3;
 mod world;

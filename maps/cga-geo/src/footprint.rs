@@ -52,7 +52,9 @@ impl Footprint {
     /// # Errors
     /// The bytes are not a footprint.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
-        postcard::from_bytes(bytes).map_err(|why| format!("not a footprint: {why}"))
+        let footprint: Footprint = postcard::from_bytes(bytes).map_err(|why| format!("not a footprint: {why}"))?;
+        let is_whole = !footprint.rings.is_empty() && footprint.rings.iter().all(|ring| 3 <= ring.len());
+        is_whole.then_some(footprint).ok_or_else(|| "not a footprint: a ring has no area".to_owned())
     }
 
     /// The place of the footprint among others.

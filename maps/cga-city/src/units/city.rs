@@ -1,10 +1,11 @@
 //! A city from the files of its units.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::HashSet;
 use std::io;
 
 use serde_json::json;
 
+use super::failed_rows::FailedParts;
 use super::make::UnitFile;
 use super::plan::Plan;
 use super::store::UnitStore;
@@ -45,13 +46,20 @@ pub fn begin(store: &dyn UnitStore, address: &str) -> Result<(), String> {
     Ok(())
 }
 
-/// Deletes the parts of the table of rows that failed which are not in the list: of older runs, and of batches that were read again.
+/// Deletes the parts of the table of rows that failed which are not in the list: of older runs, and of batches that were read again. Batches with equal
+/// rows have written one file, which is copied for each of them.
 ///
 /// # Errors
 /// Errors of the store.
-pub fn keep_failed(store: &dyn UnitStore, parts: &BTreeMap<String, [u64; 2]>) -> io::Result<()> {
-    store.delete_where("failures/rows", &|name| !parts.contains_key(name))?;
-    store.delete_parts("failures/rows", &|_| true)
+pub fn keep_failed(store: &dyn UnitStore, parts: &FailedParts) -> io::Result<()> {
+    let names: HashSet<String> = parts.files().map(|(_, name)| name).collect();
+    store.delete_where("failures/rows", &|name| !names.contains(name))?;
+    store.delete_parts("failures/rows", &|_| true)?;
+    for (part, copy) in parts.files().filter(|(part, copy)| part != copy) {
+        let lines = store.read(part)?.ok_or_else(|| io::Error::other(format!("`{part}` is missing")))?;
+        store.write(&copy, lines)?;
+    }
+    Ok(())
 }
 
 /// Calls a function for each of some units with its file, if it is finished. Some files are read at a time.

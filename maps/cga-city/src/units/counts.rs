@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use cga_geo::row::Row;
 use serde::{Deserialize, Serialize};
 
-use super::failed_rows::{FailedPart, FailedRows};
+use super::failed_rows::{FailedPart, FailedParts, FailedRows};
 use super::lot::UnitLot;
 use super::plan::{Count, Plan, counted};
 use super::work::LoadedWork;
@@ -75,9 +75,9 @@ impl Counts {
         postcard::from_bytes(bytes).map_err(|why| format!("the bytes are not the counts of rows: {why}"))
     }
 
-    /// The parts of the table of rows that failed, by name. Rows that were counted twice have one part.
-    pub fn failed(&self) -> BTreeMap<String, [u64; 2]> {
-        self.failed.iter().map(|part| (part.name.clone(), [part.lines, part.lost])).collect()
+    /// The parts of the table of rows that failed.
+    pub fn failed(&self) -> FailedParts {
+        self.failed.iter().cloned().collect()
     }
 
     /// The plan of units with at most some lots.

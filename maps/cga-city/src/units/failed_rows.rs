@@ -1,5 +1,7 @@
 //! The table of rows that failed: a line of JSON for each row, polygon and value that cannot be used, in parts.
 
+use std::collections::BTreeMap;
+
 use cga_geo::footprint::Footprint;
 use cga_geo::row::Row;
 use cga_geo::survey::Surveyor;
@@ -17,6 +19,44 @@ pub struct FailedPart {
     pub lines: u64,
     /// The number of lines whose row, or a polygon of it, is lost.
     pub lost: u64,
+}
+
+/// The parts of the table of all rows. Batches with equal rows have one name: they count as often as they are added, and each has its lines in the table.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FailedParts(BTreeMap<String, (FailedPart, u64)>);
+
+impl FailedParts {
+    /// Adds the part of a batch.
+    pub fn add(&mut self, part: FailedPart) {
+        self.0.entry(part.name.clone()).or_insert((part, 0)).1 += 1;
+    }
+
+    /// The number of lines.
+    pub fn lines(&self) -> u64 {
+        self.0.values().map(|(part, count)| part.lines * count).sum()
+    }
+
+    /// The number of lines whose row, or a polygon of it, is lost.
+    pub fn lost(&self) -> u64 {
+        self.0.values().map(|(part, count)| part.lost * count).sum()
+    }
+
+    /// The names of all files, each after the file that it is a copy of.
+    pub(crate) fn files(&self) -> impl Iterator<Item = (&str, String)> {
+        let copy = |name: &str, number: u64| match number {
+            1 => name.to_owned(),
+            _ => format!("{}-{number}.jsonl", name.trim_end_matches(".jsonl")),
+        };
+        self.0.iter().flat_map(move |(name, (_, count))| (1..=*count).map(move |number| (&**name, copy(name, number))))
+    }
+}
+
+impl FromIterator<FailedPart> for FailedParts {
+    fn from_iter<P: IntoIterator<Item = FailedPart>>(parts: P) -> Self {
+        let mut all = FailedParts::default();
+        parts.into_iter().for_each(|part| all.add(part));
+        all
+    }
 }
 
 /// The part of a batch of rows. Its name follows from the rows, so a batch that is read twice has one file.
