@@ -1,11 +1,12 @@
 //! Thin dark lines along silhouettes and creases.
 //!
-//! Nearness is linear in the picture over a plane. Where its second difference is not zero there is a crease or a
-//! step. Normals give the strength of creases.
+//! Nearness is linear in the picture over a plane, so the plane of a surface goes on beyond its edge. Two surfaces whose planes cross
+//! between two samples meet in a crease; others are at a step. Normals give the strength of creases.
 
 use glam::DVec3;
 
 use crate::scene::Scene;
+use crate::viewport::Viewport;
 use crate::visible::{GROUND, SKY, VisibilityBuffer};
 
 /// The lines that are drawn.
@@ -20,7 +21,7 @@ pub enum Lines {
 }
 
 /// The strength of the line at each sample, 0 to 1.
-pub(crate) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
+pub(crate) fn lines(scene: &Scene, view: &Viewport, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
     let planes = layer.planes(scene);
@@ -39,7 +40,7 @@ pub(crate) fn lines(scene: &Scene, layer: &VisibilityBuffer, leaves: bool) -> Ve
                     false => {
                         let (before, after) = (a.checked_sub(step), b + step);
                         let (before, after) = (before.filter(|_| 0 < at), (at + 2 < count).then_some(after));
-                        strength(scene, layer, a, b, before, after)
+                        strength(scene, view, layer, [a, b], [before, after])
                     }
                 };
                 // The line is on the nearer side, where the edge is.
@@ -66,13 +67,13 @@ fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {
     }
 }
 
+/// The strength of the line between two samples, with the samples before and after them.
 fn strength(
     scene: &Scene,
+    view: &Viewport,
     layer: &VisibilityBuffer,
-    a: usize,
-    b: usize,
-    before: Option<usize>,
-    after: Option<usize>,
+    [a, b]: [usize; 2],
+    [before, after]: [Option<usize>; 2],
 ) -> f32 {
     // The ground fades into the backdrop.
     if matches!([layer.seen[a], layer.seen[b]], [SKY, GROUND] | [GROUND, SKY]) {
@@ -81,11 +82,25 @@ fn strength(
     let (Some(na), Some(nb)) = (normal(scene, layer.seen[a]), normal(scene, layer.seen[b])) else { return 1.0 };
     // A step: neither surface, extended, meets the other.
     let (qa, qb) = (layer.near[a], layer.near[b]);
+    let plane = |from: usize, at: usize| {
+        let triangle = scene.triangles.get(layer.seen[from] as usize)?;
+        let pixel = [(at % layer.width) as f64 + 0.5, (at / layer.width) as f64 + 0.5];
+        let near = view.plane_nearness(triangle.corners()[0], triangle.normal(), pixel) as f32;
+        near.is_finite().then_some(near)
+    };
     let gap = |from: usize, side: Option<usize>, other: f32| match side {
         Some(side) if layer.seen[side] == layer.seen[from] => (2.0 * layer.near[from] - layer.near[side] - other).abs(),
         _ => (layer.near[from] - other).abs(),
     };
-    let step = gap(a, before, qb).min(gap(b, after, qa)) / qa.abs().max(qb.abs()).max(1e-12);
+    let gap = match (plane(b, a), plane(a, b)) {
+        (Some(other_at_a), Some(own_at_b)) => {
+            let (at_a, at_b) = (qa - other_at_a, own_at_b - qb);
+            let is_met = at_a * at_b <= 0.0;
+            if is_met { 0.0 } else { at_a.abs().min(at_b.abs()) }
+        }
+        _ => gap(a, before, qb).min(gap(b, after, qa)),
+    };
+    let step = gap / qa.abs().max(qb.abs()).max(1e-12);
     let step = (step * 800.0 - 0.4).clamp(0.0, 1.0);
     // A crease: surfaces that meet at an angle. The facets of a round surface do not count.
     let crease = ((0.94 - na.dot(nb).abs()) * 4.0).clamp(0.0, 1.0) as f32;

@@ -70,7 +70,7 @@ impl Renderer {
         let shader = Shader { scene, view: &view, style: &self.style, sun, radius, ground: -half.y };
         let dark = match self.lines {
             Lines::None => Vec::new(),
-            lines => lines::lines(scene, &layer, lines == Lines::Leaves),
+            lines => lines::lines(scene, &view, &layer, lines == Lines::Leaves),
         };
         let color = |sample: usize| {
             let mut color = shader.opaque(&layer, &light, sample);
@@ -99,7 +99,7 @@ impl Renderer {
     }
 
     /// The camera before a scene, relative to the scene's centre, and its view for a number of samples.
-    fn viewport(&self, scene: &Scene, width: usize, height: usize) -> (Camera, Viewport) {
+    pub(crate) fn viewport(&self, scene: &Scene, width: usize, height: usize) -> (Camera, Viewport) {
         let camera = self.view.camera(scene.bounds);
         // The scene is drawn relative to its centre, and so is the camera.
         let moved = |point: DVec3| point - scene.centre;

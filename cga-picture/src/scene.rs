@@ -134,11 +134,12 @@ impl Scene {
         let plane = self.plane(point - self.centre, normal);
         let flat = normal.as_vec3();
         for triangle in triangles {
-            let corner = |i: u32| corners.get(i as usize).map_or(Vec3::NAN, |p| (p - self.centre).as_vec3());
-            let corners = triangle.each(corner);
+            let exact = triangle.each(|i| corners.get(i as usize).map_or(DVec3::NAN, |p| p - self.centre));
+            let corners = exact.each(|corner| corner.as_vec3());
             // Coordinates that are not finite cannot be drawn.
             if corners.iter().all(|corner| corner.is_finite()) {
-                self.triangles.push(Triangle { corners, normal: flat, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
+                let normal = own_normal(&exact, normal).as_vec3();
+                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
             }
         }
         let added = &mut self.triangles[first..];
@@ -196,4 +197,33 @@ fn corner_uvs(uvs: &[DVec2], corners: [u32; 3]) -> CornerUvs {
     let places = corners.each(|corner| uvs.get(corner as usize).copied().unwrap_or_default());
     let near = places[0].floor();
     places.each(|place| (place - near).as_vec2().to_array())
+}
+
+/// The normal of a triangle of a face. A face that is bent has no normal for all of its triangles: light would come from the wrong side.
+fn own_normal([a, b, c]: &[DVec3; 3], face: DVec3) -> DVec3 {
+    /// The cosine of the angle up to which a face is flat: 2.6 degrees.
+    const FLAT: f64 = 0.999;
+    let own = (*b - *a).cross(*c - *a).normalize_or(face);
+    if own.dot(face) < FLAT { own } else { face }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triangles_of_bent_faces_have_their_own_normals() {
+        let square = |height: f64| {
+            let corners = [[0.0, 0.0, 0.0], [0.0, height, 1.0], [1.0, 0.0, 1.0], [1.0, height, 0.0]].map(DVec3::from);
+            let mut scene = Scene::new(Bounds { low: DVec3::ZERO, high: DVec3::ONE });
+            let paint = scene.add_paint(Paint::default());
+            scene.add_face(&Face::new(&corners, &[[0, 1, 2], [0, 2, 3]], DVec3::Y, paint));
+            let [one, other] = [0, 1].map(|triangle| scene.triangles[triangle].normal());
+            (one, other, scene.triangles[0].plane == scene.triangles[1].plane)
+        };
+        let (one, other, is_one_plane) = square(2.0);
+        assert!(one.dot(other) < 0.0 && is_one_plane, "{one} {other}");
+        // Rounding does not bend a face.
+        assert_eq!(square(1e-3), (DVec3::Y, DVec3::Y, true));
+    }
 }

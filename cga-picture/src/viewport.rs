@@ -144,6 +144,16 @@ impl Viewport {
         }
     }
 
+    /// The nearness of the plane through a point at a pixel; not finite for a plane that is seen edge on.
+    pub(crate) fn plane_nearness(&self, point: DVec3, normal: DVec3, [x, y]: [f64; 2]) -> f64 {
+        let (x, y) = ((x - self.centre.0) / self.scale, (self.centre.1 - y) / self.scale);
+        let across = self.right * x + self.up * y;
+        match self.perspective {
+            true => normal.dot(self.forward + across) / normal.dot(point - self.eye),
+            false => normal.dot(self.eye + across - point) / normal.dot(self.forward),
+        }
+    }
+
     /// Returns true if a surface with that normal shows its front.
     #[inline]
     pub fn faces(&self, point: DVec3, normal: DVec3) -> bool {

@@ -68,6 +68,9 @@ pub(crate) fn layers(
 const OPAQUE: f32 = 0.995;
 const CLEAR: f32 = 0.005;
 
+/// Of two faces in one place, the later one is drawn: their nearness differs by rounding alone.
+const TIE: f32 = 1.0 + 3e-7;
+
 fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: impl Fn(f32) -> bool) {
     let (width, height) = (layer.width, layer.height);
     let limit = view.near(DVec3::ZERO);
@@ -87,7 +90,7 @@ fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: im
                     let [x, y] = [(at % width) as f64 + 0.5, (at / width) as f64 + 0.5];
                     scene.paint_at(triangle, view, [x, y], view.unproject(x, y, near.into())).opacity
                 };
-                if layer.near[at] < near && (!has_map || wanted(opacity())) {
+                if layer.near[at] < near * TIE && (!has_map || wanted(opacity())) {
                     layer.near[at] = near;
                     layer.seen[at] = id as u32;
                 }
@@ -132,6 +135,39 @@ pub(crate) fn ground(layer: &mut VisibilityBuffer, view: &Viewport, height: f64)
             let point = start + along * ((height - start.y) / along.y);
             layer.seen[sample] = GROUND;
             layer.near[sample] = view.project(point)[2] as f32;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use cga_geometry::mesh::Bounds;
+
+    use super::*;
+    use crate::paint::Paint;
+    use crate::renderer::Renderer;
+
+    #[test]
+    fn of_two_faces_in_one_place_the_later_one_is_seen() {
+        let mut scene = Scene::new(Bounds { low: DVec3::ZERO, high: DVec3::new(40.0, 7.3, 40.0) });
+        let paint = scene.add_paint(Paint::default());
+        for [x, z, width] in [[0.0, 0.0, 30.1], [3.7, 2.9, 13.3], [9.1, 5.3, 29.7]] {
+            let corner = |right: f64, front: f64| DVec3::new(x + right * width, 7.3, z + front * width);
+            let [a, b, c, d] = [corner(0.0, 0.0), corner(0.0, 1.0), corner(1.0, 1.0), corner(1.0, 0.0)];
+            scene.add_triangle([a, b, c], paint);
+            scene.add_triangle([a, c, d], paint);
+        }
+        let (_, view) = Renderer::new(400, 300).viewport(&scene, 400, 300);
+        let (layer, _) = layers(&scene, &view, 400, 300);
+        let covers = |triangle: usize, at: usize| {
+            let mut is_covered = false;
+            let corners = scene.triangles[triangle].corners().each(|p| view.project(p));
+            raster::triangle(corners, 400, 300, |pixel, _| is_covered |= pixel == at);
+            is_covered
+        };
+        for at in (0..400 * 300).step_by(37) {
+            let last = (0..6).rev().find(|triangle| covers(*triangle, at));
+            assert_eq!(layer.seen[at], last.map_or(SKY, |triangle| triangle as u32), "pixel {at}");
         }
     }
 }

@@ -29,7 +29,7 @@ fn the_picture_shows_the_city() {
     };
     let sky = share(|[r, g, b]| r < g && g < b && 150 < b);
     let green = share(|[r, g, b]| r + 5 < g && b + 5 < g);
-    let picked = share(|[r, g, b]| 2 * g < r && b <= g && 150 < r);
+    let picked = share(|[r, g, b]| g + 80 < r && b <= g && 180 < r);
     let walls = share(|[r, g, b]| 120 < b && b <= g && g <= r && r < b + 90);
     let street = share(|[r, g, b]| r < 130 && (r - g).abs() < 14 && (g - b).abs() < 14);
     assert!(
