@@ -53,7 +53,8 @@ cga! {
     Storeys --> split(y) { { ~storey : Storey(split.index, split.total) }* }
     Wall    --> Look(stone, "stone")
     Ledge(depth) --> [ Wall ] extrude(depth) color(stone) Ledge.
-    Cornice --> [ Wall ] [ split(x) { { 0.18 : extrude(0.4) color(stone) Bracket. | ~0.5 : NIL }* | 0.18 : extrude(0.4) color(stone) Bracket. } ]
+    Cornice --> [ Wall ] split(y) { ~1 : split(x) { { 0.18 : Bracket | ~0.5 : NIL }* | 0.18 : Bracket } | 0.28 : NIL }
+    Bracket --> extrude(0.4) color(stone) Bracket.
 
     // Ledge, cornice and the long balconies are rings around the outline, so they have mitres at all corners.
     Band(depth, height) --> offset(depth, border) reverseNormals extrude(height) color(stone) Band.
