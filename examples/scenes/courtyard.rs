@@ -61,7 +61,7 @@ cga! {
     Side    --> split(x) { { ~house : House }* }
     House   --> color(plaster) setupProjection(0, scope.xy, 2.4, 2.4) Front(shutter)
     Wall    --> texture("plaster.png") set(material.normalmap, "plaster_normal.png") projectUV(0) Wall.
-    Front(tint) --> split(y) { ground : Ground | { ~storey : Floor(tint) }* | 0.5 : Cornice }
+    Front(tint) --> split(y) { ground : Ground(tint) | { ~storey : Floor(tint) }* | 0.5 : Cornice }
     Cornice --> extrude(0.35) color("#f1e9da") Cornice.
     Floor(tint) --> split(x) { ~0.7 : Wall | { ~0.6 : Wall | 1.1 : Opening(tint) | ~0.6 : Wall }* | ~0.7 : Wall }
     Opening(tint) --> split(y) { 0.85 : Wall | 1.75 : Window(tint) | ~1 : Wall }
@@ -74,16 +74,19 @@ cga! {
     Frame   --> color("#f6f1e6") extrude(0.08) Frame.
     Pane    --> color("#5a7381") set(material.roughness, 0.1) Glass.
 
-    Ground  --> split(x) { { ~4.2 : Shop }* }
-    Shop    --> 62% : split(x) { 0.35 : Pier | ~1 : Display | 0.35 : Pier }
-                26% : split(x) { ~1 : Pier | 1.5 : Door | ~1 : Pier }
-                else : Floor(shutter)
+    // A ground floor of stone: shops, some windows, and a door in the middle of each house.
+    Ground(tint) --> split(x) { { ~4.2 : Shop(split.index == floor(split.total / 2), tint) }* }
+    Shop(isEntrance, tint) -->
+                case isEntrance : split(x) { ~1 : Pier | 1.5 : Door(tint) | ~1 : Pier }
+                else : 75% : split(x) { 0.35 : Pier | ~1 : Display | 0.35 : Pier }
+                       else : split(x) { ~1 : Pier | 1.3 : split(y) { 0.85 : Pier | 1.9 : Shopfront | ~1 : Pier } | ~1 : Pier }
     Pier    --> setupProjection(0, scope.xy, 2.7, 1.8) color("#e0d6c4") extrude(0.1) comp(f) { top : Stone | bottom : NIL | all : Pier. }
     Stone   --> texture("stone.png") set(material.normalmap, "stone_normal.png") set(material.roughnessmap, "stone_rough.png") projectUV(0) Stone.
-    Display --> split(y) { 0.5 : Pier | ~1 : [ Recess(0.25) ] t(0, 0, -0.25) split(x) { { ~1.4 : Pane | 0.06 : Frame }* } | 0.25 : Awning | 0.65 : Pier }
+    Display --> split(y) { 0.5 : Pier | ~1 : Shopfront | 0.25 : Awning | 0.65 : Pier }
+    Shopfront --> [ Recess(0.25) ] t(0, 0, -0.25) split(x) { 0.06 : Frame | { ~1.4 : Pane | 0.06 : Frame }* }
     Awning  --> color(awning) roofShed(20) Awning.
     awning = 40% : "#a8473c" 30% : "#3f6b62" else : "#d8b15a"
-    Door    --> split(y) { 0.1 : Pier | 2.5 : [ Recess(0.25) ] t(0, 0, -0.25) color(shutter) Door. | ~1 : Pier }
+    Door(tint) --> split(y) { 0.1 : Pier | 2.5 : [ Recess(0.25) ] t(0, 0, -0.25) color(tint) Door. | ~1 : Pier }
 
     // Gravel along the walls, grass in the middle.
     Court   --> [ extrude(0.1) color("#dccfb6") texture("asphalt.png") set(material.normalmap, "asphalt_normal.png") set(material.roughnessmap, "asphalt_rough.png")

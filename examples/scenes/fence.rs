@@ -43,8 +43,8 @@ cga! {
     petals = 30% : "#d65a6c" 30% : "#e8c14a" 20% : "#8f6bb0" else : "#f2efe6"
 
     @StartRule
-    Lot     --> [ t(0, -0.3, 0) extrude(0.3) comp(f) { top : Lawn | bottom : NIL | all : color("#7b6248") Soil. } ]
-                [ split(x) { ~1 : NIL | gate : Path | ~1 : NIL } ]
+    Lot     --> [ t(0, -0.3, 0) offset(0.3, inside) extrude(0.3) comp(f) { top : Lawn | bottom : NIL | all : color("#7b6248") Soil. } ]
+                [ split(z) { 0.9 : NIL | ~1 : split(x) { ~1 : NIL | gate : Path | ~1 : NIL } } ]
                 [ offset(-0.9) comp(f) { border : Bed(comp.index) | inside : NIL } ]
                 [ t(^0.2, 0, ^0.35) Tree(3.2) ] [ t(^0.76, 0, ^0.3) Tree(2.4) ]
                 comp(fe) { front : Entrance | left : Side(left) | right : Side(right) | back : Side(back) }

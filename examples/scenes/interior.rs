@@ -62,11 +62,11 @@ cga! {
     Furniture --> [ t(0.8, 0, 1.1) s(3.6, 0.015, 3.1) primitiveCube Rug ]
                 [ t(1.3, 0, 0.15) s(2.5, seat, 1) primitiveCube Sofa ]
                 [ t(0.7, 0, 2.2) s(1, seat, 1) r(scopeCenter, 0, 70, 0) primitiveCube Sofa ]
-                [ t(1.8, 0, 1.9) s(1.3, 0.38, 0.75) primitiveCube Table(0.05) ]
+                [ t(2.05, 0, 1.9) s(1.3, 0.38, 0.75) primitiveCube Table(0.05) ]
                 [ t(1.75, 1.35, 0.01) s(1.6, 1.15, 0.05) primitiveCube Painting ]
                 [ t(4.4, 0, 0.01) s(2.6, 2.3, 0.34) primitiveCube Shelves ]
                 [ t(0.35, 0, 0.35) s(0.5, 1.7, 0.5) Lamp ]
-                [ t(0.25, 0, 4.6) s(0.5, 0.5, 0.5) Plant ]
+                [ t(0.4, 0, 4.6) s(0.5, 0.5, 0.5) Plant ]
                 [ t(4.9, 0, 2.7) s(1.9, 0.75, 0.95) primitiveCube Table(0.04) ]
                 [ t(5.1, 0.75, 3) s(0.22, 0.1, 0.22) primitiveCylinder(20) color("#d8b15a") Widened(1.6) ]
                 t(5.05, 0, 2.25) s(0.46, 0.88, 0.46) [ Chair ] t(1, 0, 0) [ Chair ]
@@ -100,8 +100,10 @@ cga! {
                 t(0, scope.sy - 0.3, 0) s(^1, 0.36, ^1) primitiveCylinder(24) color("#f7e3b4") Widened(0.6)
     Widened(factor) --> modify(f) { top : s(^factor, ^factor, ^1) center(xy) } Turned.
     Plant   --> [ s(^0.8, ^1, ^0.8) center(xz) primitiveCylinder(20) color("#b0694c") Widened(1.3) ]
-                t(0.1, 0.5, 0.1) s(0.3, 0.9, 0.3) primitiveCube scatter(volume, 34, uniform) { Leaf }
-    Leaf    --> s(0.42, 0.03, 0.13) r(rand(-20, 20), rand(360), rand(10, 50)) primitiveSphere(8, 4) color(leaf) Leaf.
+                t(0.1, 0.5, 0.1) s(0.3, 0, 0.3) primitiveQuad scatter(surface, 6, uniform) { Stem(rand(0.55, 1)) }
+    Stem(length) --> s(0.02, length, 0.02) color("#6b7d45") [ center(xz) primitiveCylinder(6) Stem. ]
+                primitiveCube split(y) { 0.08 : NIL | { ~0.14 : Leaf }* }
+    Leaf    --> r(rand(-20, 20), rand(360), rand(10, 50)) s(0.36, 0.03, 0.13) t(0, 0, -0.065) primitiveSphere(8, 4) color(leaf) Leaf.
 }
 
 pub fn scene() -> Scene<()> {

@@ -61,14 +61,17 @@ cga! {
     // Columns below the roof; walls of glass between them and screens of marble that slide past.
     House   --> [ Columns ]
                 [ t(0, height, 0) s(scope.sx + 2 * overhang, 0, scope.sz + 2 * overhang) center(xz) extrude(roof) color("#e6e2da") Roof. ]
-                [ offset(-0.9, inside) comp(fe) { front : Glazing | right : Glazing | left : Glazing | back : Marble } ]
+                [ offset(-0.9, inside) comp(fe) { front : Glazing(true) | right : Glazing(false) | left : Glazing(false) | back : Marble } ]
                 [ split(x) { ~2 : NIL | 0.25 : Screen | ~3 : NIL } ] Furniture
     Columns --> split(z) { 0.28 : Row | { ~spacing : NIL | 0.28 : Row }* }
     Row     --> split(x) { 0.28 : Column | { ~spacing : NIL | 0.28 : Column }* }
     // A column is a cross of two plates of chrome.
     Column  --> s(^1, height, ^1) primitiveCube color("#cfd6da") set(material.metallic, 0.8) set(material.roughness, 0.1)
                 [ s(^1, ^1, ^0.2) center(xz) Plate. ] s(^0.2, ^1, ^1) center(xz) Plate.
-    Glazing --> alignScopeToAxes(y) s(^1, height, 0.08) primitiveCube split(x) { 0.06 : Bar | { ~2.7 : Pane | 0.06 : Bar }* }
+    // The door of two leaves is the third bay from the left, beside the stairs.
+    Glazing(isFront) --> alignScopeToAxes(y) s(^1, height, 0.08) primitiveCube split(x) { 0.06 : Bar | { ~2.7 : Bay(isFront && split.index == 5) | 0.06 : Bar }* }
+    Bay(isDoor) --> case isDoor : split(y) { 2.3 : split(x) { ~1 : Leaf | 0.02 : s(^1, ^1, 0.03) center(z) Bar | ~1 : Leaf } | 0.06 : Bar | ~1 : Pane } else : Pane
+    Leaf    --> split(x) { 0.1 : Bar | ~1 : split(y) { 0.25 : Bar | ~1 : Pane | 0.1 : Bar } | 0.1 : Bar }
     Bar     --> color("#3a3f42") Bar.
     Pane    --> split(y) { 0.06 : Bar | ~1 : s(^1, ^1, 0.02) center(z) color("#a9c6cc") set(material.opacity, 0.2) Glass. | 0.06 : Bar }
     Marble  --> alignScopeToAxes(y) s(^1, height, 0.25) primitiveCube split(x) { { ~2.2 : Panel(marble) }* }

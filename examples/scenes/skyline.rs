@@ -86,8 +86,10 @@ cga! {
     StoneFloor(tint) --> split(y) { ~1 : s(^0.97, ^1, ^0.97) center(xz) color("#55646d") Windows. | ~0.9 : color(tint) Spandrel. }
 
     Park    --> color("#8dab66") [ extrude(0.3) texture("grass.png") set(material.normalmap, "grass_normal.png")
-                modify(f) { side : setupProjection(0, scope.xy, 4, 4) projectUV(0) | all : setupProjection(0, world.xz, 4, 4) projectUV(0) } Lawn. ] scatter(surface, 14, uniform) { Tree }
-    Tree    --> s(5, rand(6, 9), 5) center(xz) primitiveSphere(8, 6) color("#7da85f") scaleUV(0, 9, 5) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
+                modify(f) { side : setupProjection(0, scope.xy, 4, 4) projectUV(0) | all : setupProjection(0, world.xz, 4, 4) projectUV(0) } Lawn. ]
+                t(0, 0.3, 0) offset(-3, inside) scatter(surface, 14, uniform) { Tree }
+    Tree    --> [ s(0.6, 2.8, 0.6) center(xz) primitiveCylinder(6) color("#8a6d50") Trunk. ]
+                t(0, 2, 0) s(5, rand(5, 8), 5) center(xz) primitiveSphere(8, 6) color("#7da85f") scaleUV(0, 9, 5) texture("leaves.png") set(material.normalmap, "leaves_normal.png") Crown.
 }
 
 pub fn scene() -> Scene<()> {

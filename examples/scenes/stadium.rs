@@ -62,9 +62,10 @@ cga! {
                       case sector % 6 == 3 && n > upper  : stripe
                       else                               : seats
 
+    // The field is smaller than the largest rectangle, so its corners are clear of the stands.
     Arena   --> alignScopeToAxes(y) [ t(0, 0.02, 0) color("#b9735a") Track. ] innerRectangle(scope) { shape : Field | remainder : NIL }
-    Field   --> t(0, 0.05, 0) [ color(grass) split(x) { { ~8 : Grass(split.index % 2) }* } ]
-                s(scope.sx - 6, 0, scope.sz - 6) center(xz) color(stripe) t(0, 0.05, 0)
+    Field   --> t(0, 0.05, 0) s(^0.92, 0, ^0.92) center(xz) [ color(grass) split(x) { { ~8 : Grass(split.index % 2) }* } ]
+                s(scope.sx - 4, 0, scope.sz - 4) center(xz) color(stripe) t(0, 0.05, 0)
                 [ Outline ] [ split(x) { ~1 : NIL | 0.4 : Line. | ~1 : NIL } ]
                 [ s(18.3, 0, 18.3) center(xz) primitiveDisk(40) Outline ]
                 split(x) { 16.5 : Box | ~1 : NIL | 16.5 : Box }

@@ -102,7 +102,9 @@ cga! {
     Faced(faces) --> case faces : Front else : split(y) { 4 : Wall | { ~3.1 : Floor }* | 0.3 : Wall }
     Front   --> split(y) { 3.6 : Shops | 0.4 : Band | { ~3.1 : Floor }* | 0.3 : Band }
     Band    --> color("#efe8d8") extrude(0.2) Band.
-    Shops   --> split(x) { 0.4 : Wall | { ~3.6 : Shop | 0.4 : Wall }* }
+    Shops   --> split(x) { 0.4 : Wall | 1.2 : Entrance | 0.4 : Wall | { ~3.6 : Shop | 0.4 : Wall }* }
+    Entrance --> split(y) { 2.7 : [ Recess(0.3) ] t(0, 0, -0.3) Portal | ~1 : Wall }
+    Portal  --> split(y) { 2.1 : color(enamel) Door. | 0.08 : color("#f6f1e6") extrude(0.08) Frame. | ~1 : color("#54707d") set(material.roughness, 0.1) Glass. }
     Shop    --> split(y) { 0.3 : Wall | ~1 : Display }
     Display --> [ Recess(0.3) ] [ t(0, 0, -0.3) color("#54707d") set(material.roughness, 0.1) Glass. ]
                 t(0, scope.sy - 0.9, 0) color(enamel) s(^1, 0.9, 1.3) primitiveCube

@@ -37,6 +37,9 @@ cga! {
 
     foot = column / slimness
     step = foot * 0.24
+    // From axis to axis. The spaces along a side are an odd number, so one is before the door.
+    axes(length) = length / odd(length / (foot * spacing))
+    odd(number) = 2 * rint((number - 1) / 2) + 1
 
     @StartRule
     Lot     --> color(marble) Step(steps)
@@ -49,8 +52,8 @@ cga! {
 
     // Columns along all edges: a ring of squares, and a column in each.
     Colonnade --> split(z) { foot : Row | ~1 : split(x) { foot : Wing | ~1 : NIL | foot : Wing } | foot : Row }
-    Row     --> split(x) { foot : Column | { ~foot * (spacing - 1) : NIL | foot : Column }* }
-    Wing    --> split(z) { ~foot * (spacing - 1) : NIL | { foot : Column | ~foot * (spacing - 1) : NIL }* }
+    Row     --> split(x) { foot : Column | { ~axes(scope.sx - foot) - foot : NIL | foot : Column }* }
+    Wing    --> split(z) { ~axes(scope.sz + foot) - foot : NIL | { foot : Column | ~axes(scope.sz + foot) - foot : NIL }* }
 
     // A shaft of twenty flat flutes swells a little: each third is less steep than the one above it.
     Column  --> [ s(^1, column - foot * 0.5, ^1) primitiveCylinder(20)
@@ -65,7 +68,9 @@ cga! {
                 t(0, foot * 0.75, 0) [ extrude(foot * 0.8) comp(f) { side : Frieze | all : Frieze. } ]
                 t(0, foot * 0.8, 0) offset(foot * 0.35, inside) [ extrude(foot * 0.22) Cornice. ]
                 t(0, foot * 0.22, 0) roofGable(pitch, foot * 0.1, foot * 0.1) Roof
-    Frieze  --> split(x) { foot * 0.5 : Triglyph | { ~foot * (spacing / 2 - 0.5) : color("#f3ecdd") Metope. | foot * 0.5 : Triglyph }* }
+    // A triglyph over the axis of each column, and one over each space.
+    Frieze  --> split(x) { foot * 0.3 : Metope | foot * 0.5 : Triglyph | { ~axes(scope.sx - foot * 1.1) / 2 - foot * 0.5 : Metope | foot * 0.5 : Triglyph }* | foot * 0.3 : Metope }
+    Metope  --> color("#f3ecdd") Metope.
     Triglyph --> color(paint) [ Ground. ] extrude(foot * 0.08) split(x) { ~1 : Glyph. | ~0.6 : NIL | ~1 : Glyph. | ~0.6 : NIL | ~1 : Glyph. }
     Roof    --> comp(f) { vertical : Pediment | bottom : Soffit. | all : setupProjection(0, scope.xy, 2, 2) color(tiles) extrude(foot * 0.1)
                 texture("tile.png") set(material.normalmap, "tile_normal.png") set(material.roughnessmap, "tile_rough.png") modify(f) { top : projectUV(0) | all : setupProjection(0, scope.xy, 2, 2) projectUV(0) } Tiles. }
@@ -87,11 +92,11 @@ pub fn scene() -> Scene<()> {
         sentence: "All sizes follow from the column, so another order is a change of three numbers.",
         rules: grammar_text(include_str!("temple.rs")),
         grammar: (),
-        shapes: vec![Start::new("Lot", Shape::rectangle(26.0, 50.0))],
+        shapes: vec![Start::new("Lot", Shape::rectangle(22.4, 50.0))],
         view: View {
             azimuth: 34.0,
             elevation: 9.0,
-            region: Some([[-0.8, 0.5, 0.0], [26.8, 15.5, 48.0]]),
+            region: Some([[-0.8, 0.5, 0.0], [23.2, 15.5, 48.0]]),
             ..View::default()
         },
     }

@@ -64,9 +64,12 @@ cga! {
                [ t(0, 0.4, 0) s(^0.5, 3.6, ^0.5) center(xz) primitiveCylinder(32) color("#d5d0c6") Plant. ]
                t(0, 4, 0) s(0.5, 17, 0.5) center(xz) primitiveCone(8) color("#c9ced1") set(material.metallic, 0.6) Mast.
 
-    Lobby  --> [ s(^0.86, ^1, ^0.86) center(xz) extrude(lobby) comp(f) { side : Front } ]
-               comp(e) { all : case comp.index % 4 == 0 : Column else : NIL }
-    Front  --> split(x) { 0.1 : Mullion | ~1 : split(y) { ~1 : color("#3f5660") set(material.roughness, 0.08) Glass. | 0.12 : Mullion }* }
+    Lobby  --> [ s(^0.86, ^1, ^0.86) center(xz) extrude(lobby) comp(f) { side : Front(comp.index) } ]
+               comp(e) { all : case comp.index % 4 == 2 : Column else : NIL }
+    // A door of two leaves in front, another one at the back.
+    Front(n) --> split(x) { 0.1 : Mullion | ~1 : split(y) { (case n % 24 == 0 : 3 else : 0) : Door | { ~1 : color("#3f5660") set(material.roughness, 0.08) Glass. | 0.12 : Mullion }* } }
+    Door   --> split(y) { ~1 : split(x) { ~1 : Leaf | 0.04 : Mullion | ~1 : Leaf } | 0.12 : Mullion }
+    Leaf   --> color(timber) extrude(0.06) Door.
     Column --> alignScopeToAxes(y) s(0.9, lobby, 0.9) t(0, 0, -1.6) primitiveCylinder(16) color(concrete) Column.
 
     Plaza  --> Paving(0.3, "#e0dace")

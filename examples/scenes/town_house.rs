@@ -80,10 +80,14 @@ cga! {
     Pane    --> set(material.roughness, 0.1) Glass.
     Frame   --> color("#f6f2e8") extrude(0.07) Frame.
 
-    // The bay: the scope of a face that was extruded has y outwards, so the front of the bay is its top.
-    Bay     --> extrude(0.9) comp(f) { top : BayWall | world.up : color(slate) Lead. | left : BayWall | right : BayWall | all : Panel }
-    BayWall --> split(y) { { ~storey : BayFloor }* }
-    BayFloor --> split(y) { 0.8 : Panel | ~1 : split(x) { 0.14 : Frame | { ~1.1 : Window | 0.14 : Frame }* } | 0.4 : Panel }
+    // The bay: the scope of a face that was extruded has y outwards, so the front of the bay is its top, and y of its sides is turned up.
+    Bay     --> extrude(0.9) comp(f) { top : BayWall(false) | world.up : color(slate) Lead. | left : Flank | right : Flank | all : Panel }
+    Flank   --> alignScopeToAxes(y) BayWall(true)
+    BayWall(isSide) --> split(y) { { ~storey : split(y) { 0.8 : Panel | ~1 : BayWindows(isSide) | 0.4 : Panel } }* }
+    BayWindows(isSide) -->
+                case isSide : split(x) { 0.2 : Panel | ~1 : [ Recess(0.18) ] t(0, 0, -0.18) color(light) SideSash | 0.2 : Panel }
+                else        : split(x) { 0.14 : Frame | { ~1.1 : Window | 0.14 : Frame }* }
+    SideSash --> split(x) { 0.08 : Frame | ~1 : split(y) { 0.08 : Frame | ~1 : Pane | 0.07 : Frame | ~1 : Pane | 0.08 : Frame } | 0.08 : Frame }
     Panel   --> color(stone) Panel.
 
     // The entrance: two leaves below a fanlight, between pilasters that carry a hood.
