@@ -1,6 +1,6 @@
 //! Shapes that are almost nothing or almost too large: sinks get finite numbers only.
 
-use cga::{Error, Limits, Settings, Shape};
+use cga::{Error, Limits, Settings, Shape, cga};
 use cga_tests::stopped::{Every, rules};
 
 use super::stopping;
@@ -32,4 +32,35 @@ fn leaves_are_finite_for_every_operation_on_every_size() {
         }
     }
     assert!(broken.is_empty(), "{broken:#?}");
+}
+
+cga! {
+    /// Boxes in scopes that are thin, whose sizes the macro knows or reads from an attribute.
+    grammar Thin;
+    attr thin = 1e-9
+    attr thick = 2e-9
+    @StartRule
+    KnownThin  --> s(1e-9, 1, 1) Parts
+    @StartRule
+    ReadThin   --> s(thin, 1, 1) Parts
+    @StartRule
+    KnownThick --> s(1, 2e-9, 1) Parts
+    @StartRule
+    ReadThick  --> s(1, thick, 1) Parts
+    Parts --> primitiveCube() split(x) { 0.25 : A. | ~1 : B. | 0.25 : A. }
+}
+
+#[test]
+fn known_sizes_that_are_too_thin_follow_from_the_others() {
+    let made = |start: &str| {
+        let model = Thin::default().generate(&Shape::rectangle(3.0, 3.0).start(start)).expect("a model");
+        assert!(model.faults().is_empty(), "{start}: {:?}", model.faults());
+        (
+            model.counts().into_iter().map(|(rule, count)| (rule.to_owned(), count)).collect::<Vec<_>>(),
+            model.bounds().size(),
+        )
+    };
+    assert_eq!(made("KnownThin"), made("ReadThin"));
+    assert_eq!(made("KnownThin").1, cga::glam::DVec3::ONE);
+    assert_eq!(made("KnownThick"), made("ReadThick"));
 }

@@ -1,7 +1,7 @@
 //! The abstract shape: sizes, filling and trim planes.
 
 use super::interval::Interval;
-use crate::ops::{Directions, MOST_SIZE, Selector};
+use crate::ops::{Directions, MOST_SIZE, Selector, THINNEST};
 use crate::span::Span;
 
 /// The tolerance of bounding boxes of parts of meshes, in metres and relative: points far from the origin are rounded. It
@@ -145,9 +145,11 @@ impl Shape {
         Shape { size: [0, 1, 2].map(|axis| self.size[axis].widen(before.size[axis])), ..*self }
     }
 
-    /// Returns true if it always extends along all axes.
+    /// Returns true if it extends along all axes, whatever its values are. Sizes that are too thin only for some values count.
     pub(super) fn has_room(&self) -> bool {
-        self.size.iter().all(|size| size.hi < 0.0 || 0.0 < size.lo)
+        let size = self.size.map(Interval::abs);
+        let least_width = size.iter().fold(0.0, |most: f64, size| most.max(size.lo));
+        size.iter().all(|size| 0.0 < size.lo && THINNEST * least_width < size.hi)
     }
 
     /// The shape after `s`: the sizes in metres, and which axes keep their size.

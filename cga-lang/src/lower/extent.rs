@@ -7,7 +7,7 @@
 use crate::ir::{
     Arg, Axis, Block, BlockParts, Grammar, Prefix, Renew, RuleId, Size, Slots, Solved, Step, StepKind, Target, Value,
 };
-use crate::ops::{Braces, Effect, MOST_SIZE, Measure};
+use crate::ops::{Braces, Effect, MOST_SIZE, Measure, THINNEST};
 use cga_split::solve;
 
 /// Splits with more pieces are solved while rules run: the pieces would take more room than the arithmetic takes time.
@@ -47,7 +47,8 @@ impl KnownExtents {
 
     /// Returns true if it always extends along all axes.
     fn has_room(self) -> bool {
-        self.size.iter().all(|size| size.is_some_and(|size| size != 0.0))
+        let sizes = self.size.map(|size| size.map_or(0.0, f64::abs));
+        sizes.iter().all(|size| THINNEST * sizes.iter().fold(0.0, |most: f64, size| most.max(*size)) < *size)
     }
 
     fn resize(self, args: &[Arg]) -> KnownExtents {

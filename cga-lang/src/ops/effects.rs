@@ -3,6 +3,10 @@
 /// The maximum size of a scope in metres. Operations do not set a larger one (*s operation* of the runtime).
 pub(crate) const MOST_SIZE: f64 = 1e149;
 
+/// A scope has no size along an axis whose size is at most this share of its largest one (`PLANAR_EPSILON` of the runtime): what fills it
+/// gives it a size.
+pub(crate) const THINNEST: f64 = 1e-9;
+
 /// The limit on sections (*splitAndSetbackPerimeter operation* of the runtime). A pattern with more makes none.
 pub(crate) const MOST_SECTIONS: f64 = 500.0;
 

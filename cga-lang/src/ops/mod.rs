@@ -31,7 +31,7 @@ pub use attributes::SHAPE_ATTRS;
 pub use bounds::{Allowed, ParamBounds};
 pub use directions::Directions;
 pub use effects::{Changes, Effect, UvEffect};
-pub(crate) use effects::{MOST_SECTIONS, MOST_SIZE};
+pub(crate) use effects::{MOST_SECTIONS, MOST_SIZE, THINNEST};
 pub use functions::FUNCTIONS;
 pub use meaning::{AttrValues, Meaning};
 pub use operations::{OPERATIONS, SET_BY_NAME};
