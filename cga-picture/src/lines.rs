@@ -88,7 +88,8 @@ fn strength(
         let near = view.plane_nearness(triangle.corners()[0], triangle.normal(), pixel) as f32;
         near.is_finite().then_some(near)
     };
-    let gap = |from: usize, side: Option<usize>, other: f32| match side {
+    // The ground has no triangle, so its plane follows from two samples.
+    let sampled = |from: usize, side: Option<usize>, other: f32| match side {
         Some(side) if layer.seen[side] == layer.seen[from] => (2.0 * layer.near[from] - layer.near[side] - other).abs(),
         _ => (layer.near[from] - other).abs(),
     };
@@ -98,7 +99,7 @@ fn strength(
             let is_met = at_a * at_b <= 0.0;
             if is_met { 0.0 } else { at_a.abs().min(at_b.abs()) }
         }
-        _ => gap(a, before, qb).min(gap(b, after, qa)),
+        _ => sampled(a, before, qb).min(sampled(b, after, qa)),
     };
     let step = gap / qa.abs().max(qb.abs()).max(1e-12);
     let step = (step * 800.0 - 0.4).clamp(0.0, 1.0);

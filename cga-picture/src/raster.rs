@@ -43,7 +43,7 @@ pub(crate) fn triangle(corners: [[f64; 3]; 3], width: usize, height: usize, mut 
     };
     let edges = [edge(a, b), edge(b, c), edge(c, a)];
     let (q_low, q_high) = (a[2].min(b[2]).min(c[2]), a[2].max(b[2]).max(c[2]));
-    // Of the corners before they were rounded: faces in one plane have the same nearness.
+    // It follows from the corners before they were rounded, so that faces in one plane have the same nearness.
     let [a, b, c] = corners;
     let area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if area == 0.0 {

@@ -68,7 +68,7 @@ pub(crate) fn layers(
 const OPAQUE: f32 = 0.995;
 const CLEAR: f32 = 0.005;
 
-/// Of two faces in one place, the later one is drawn: their nearness differs by rounding alone.
+/// The later of two faces in one place is drawn, as their nearness differs by rounding alone.
 const TIE: f32 = 1.0 + 3e-7;
 
 fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: impl Fn(f32) -> bool) {

@@ -29,7 +29,7 @@ pub(crate) fn texture(
     })
 }
 
-/// What a pass writes into a depth texture.
+/// The depth texture of a pass, which is cleared first.
 pub(crate) fn depth(view: &TextureView, store: StoreOp) -> Option<RenderPassDepthStencilAttachment<'_>> {
     let depth_ops = Some(Operations { load: LoadOp::Clear(1.0), store });
     Some(RenderPassDepthStencilAttachment { view, depth_ops, stencil_ops: None })

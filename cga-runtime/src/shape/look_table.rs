@@ -135,7 +135,7 @@ impl LookTable {
         id
     }
 
-    /// Returns the number of a look. It is a temporary one if there is no room. A look that never has a number gives `OF_BASE`.
+    /// Returns the number of a look. A full table gives a temporary number. A look that never has a number gives `OF_BASE`.
     pub(crate) fn number_at_least_for_now(&mut self, look: &Arc<Look>) -> LookId {
         let id = self.number(look);
         if id != LookId::OF_BASE || look.coordinates.has_cube() {
