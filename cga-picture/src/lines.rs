@@ -3,6 +3,7 @@
 //! Nearness is linear in the picture over a plane, so the plane of a surface goes on beyond its edge. Two surfaces whose planes cross
 //! between two samples meet in a crease; others are at a step. Normals give the strength of creases.
 
+use cga_geometry::each::Each;
 use glam::DVec3;
 
 use crate::scene::Scene;
@@ -18,10 +19,12 @@ pub enum Lines {
     Edges,
     /// Silhouettes, creases, and the borders between leaves in one plane.
     Leaves,
+    /// Silhouettes, creases, and all borders between faces and with the ground, on transparent surfaces too.
+    Faces,
 }
 
 /// The strength of the line at each sample, 0 to 1.
-pub(crate) fn lines(scene: &Scene, view: &Viewport, layer: &VisibilityBuffer, leaves: bool) -> Vec<f32> {
+pub(crate) fn lines(scene: &Scene, view: &Viewport, layer: &VisibilityBuffer, lines: Lines) -> Vec<f32> {
     let (width, height) = (layer.width, layer.height);
     let mut dark = vec![0.0f32; width * height];
     let planes = layer.planes(scene);
@@ -34,13 +37,14 @@ pub(crate) fn lines(scene: &Scene, view: &Viewport, layer: &VisibilityBuffer, le
                 if count <= at + 1 || layer.seen[a] == layer.seen[b] {
                     continue;
                 }
+                let border = border(scene, [layer.seen[a], layer.seen[b]], lines);
                 let strength = match planes[a] == planes[b] {
-                    true if leaves && leaf(scene, layer.seen[a]) != leaf(scene, layer.seen[b]) => 0.5,
-                    true => continue,
+                    true if border == 0.0 => continue,
+                    true => border,
                     false => {
                         let (before, after) = (a.checked_sub(step), b + step);
                         let (before, after) = (before.filter(|_| 0 < at), (at + 2 < count).then_some(after));
-                        strength(scene, view, layer, [a, b], [before, after])
+                        strength(scene, view, layer, [a, b], [before, after]).max(border)
                     }
                 };
                 // The line is on the nearer side, where the edge is.
@@ -54,9 +58,15 @@ pub(crate) fn lines(scene: &Scene, view: &Viewport, layer: &VisibilityBuffer, le
     dark
 }
 
-/// The leaf in a sample.
-fn leaf(scene: &Scene, seen: u32) -> Option<u32> {
-    scene.triangles.get(seen as usize).map(|triangle| triangle.leaf)
+/// The least strength of the line between two samples, for the leaves or faces that they show.
+fn border(scene: &Scene, seen: [u32; 2], lines: Lines) -> f32 {
+    let [a, b] = seen.each(|seen| scene.triangles.get(seen as usize));
+    match (lines, a, b) {
+        (Lines::Leaves, Some(a), Some(b)) if a.plane == b.plane && a.leaf != b.leaf => 0.5,
+        (Lines::Faces, Some(a), Some(b)) if a.face != b.face => 0.8,
+        (Lines::Faces, Some(_), None) | (Lines::Faces, None, Some(_)) => 1.0,
+        _ => 0.0,
+    }
 }
 
 fn normal(scene: &Scene, seen: u32) -> Option<DVec3> {

@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::shade::{self, Shader, display};
 use crate::style::Style;
 use crate::viewport::{Viewport, direction};
-use crate::visible;
+use crate::visible::{self, VisibilityBuffer};
 
 /// The settings of a picture, which draw scenes.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,17 +68,17 @@ impl Renderer {
         let light = light::light(scene, &layer, &view, half, sun);
         let radius = DVec3::new(half.x, 0.0, half.z).length().max(0.3 * half.y);
         let shader = Shader { scene, view: &view, style: &self.style, sun, radius, ground: -half.y };
-        let dark = match self.lines {
-            Lines::None => Vec::new(),
-            lines => lines::lines(scene, &view, &layer, lines == Lines::Leaves),
+        let lines = |layer: &VisibilityBuffer| lines::lines(scene, &view, layer, self.lines);
+        let dark = if self.lines == Lines::None { Vec::new() } else { lines(&layer) };
+        let clear_dark = clear.as_ref().filter(|_| self.lines == Lines::Faces).map_or_else(Vec::new, lines);
+        let lined = |color: Vec3, dark: &[f32], sample: usize| match dark.get(sample) {
+            Some(dark) => shade::mix(color, self.style.line.into(), dark * self.style.line_opacity),
+            None => color,
         };
         let color = |sample: usize| {
-            let mut color = shader.opaque(&layer, &light, sample);
-            if let Some(&dark) = dark.get(sample) {
-                color = shade::mix(color, self.style.line.into(), dark * self.style.line_opacity);
-            }
+            let mut color = lined(shader.opaque(&layer, &light, sample), &dark, sample);
             if let Some(clear) = &clear {
-                color = shader.clear(clear, &light, sample, color);
+                color = lined(shader.clear(clear, &light, sample, color), &clear_dark, sample);
             }
             display(color)
         };

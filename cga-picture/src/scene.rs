@@ -22,6 +22,8 @@ pub(crate) struct Triangle {
     pub(crate) plane: u32,
     /// The number of its leaf.
     pub(crate) leaf: u32,
+    /// The number of its face in the scene.
+    pub(crate) face: u32,
     /// The index in the scene's smooth normals; [`FLAT`] for flat triangles.
     smooth: u32,
     /// The index in [`Scene::uvs`]; [`PLAIN`] without texture coordinates.
@@ -49,6 +51,8 @@ pub struct Scene {
     pub(crate) round: bool,
     textures: Vec<Texture>,
     smooth: Vec<[Vec3; 3]>,
+    /// The number of faces that were added.
+    faces: u32,
     /// Only for look-ups, never iterated.
     planes: HashMap<[i64; 4], u32>,
     /// Coordinates closer than this belong to one plane.
@@ -81,6 +85,7 @@ impl Scene {
             round: false,
             textures: Vec::new(),
             smooth: Vec::new(),
+            faces: 0,
             planes: HashMap::new(),
             grain: if finite { (bounds.size().length() * 1e-5).max(1e-9) } else { 1e-3 },
         }
@@ -133,13 +138,15 @@ impl Scene {
         let (Some(&point), first) = (corners.first(), self.triangles.len()) else { return };
         let plane = self.plane(point - self.centre, normal);
         let flat = normal.as_vec3();
+        let number = self.faces;
+        self.faces = self.faces.wrapping_add(1);
         for triangle in triangles {
             let exact = triangle.each(|i| corners.get(i as usize).map_or(DVec3::NAN, |p| p - self.centre));
             let corners = exact.each(|corner| corner.as_vec3());
             // Coordinates that are not finite cannot be drawn.
             if corners.iter().all(|corner| corner.is_finite()) {
                 let normal = own_normal(&exact, normal).as_vec3();
-                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, smooth: FLAT, uvs: PLAIN });
+                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, face: number, smooth: FLAT, uvs: PLAIN });
             }
         }
         let added = &mut self.triangles[first..];

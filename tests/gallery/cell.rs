@@ -17,26 +17,32 @@ pub struct Cell {
     pub measured: String,
     pub model: Model,
     pub camera: Camera,
-    /// True to draw the borders between pieces in one plane too, and all lines strongly.
+    /// The size of the picture in pixels.
+    pub size: [usize; 2],
+    /// True to draw the borders of all faces, and all lines strongly.
     pub borders: bool,
 }
 
-const WIDTH: usize = 480;
-const HEIGHT: usize = 270;
+/// The size of most pictures.
+const SMALL: [usize; 2] = [480, 270];
+/// The size of pictures whose numbers can be read.
+pub const LARGE: [usize; 2] = [720, 405];
 
 /// The share of the model below which pieces are not drawn: about a tenth of a pixel.
 const THINNEST: f64 = 1e-4;
 
 impl Cell {
     pub fn new(example: &Example, model: Model, camera: Camera) -> Self {
-        Cell { title: example.title, rules: example.shown(), measured: String::new(), model, camera, borders: false }
+        let (title, rules) = (example.title, example.shown());
+        Cell { title, rules, measured: String::new(), model, camera, size: SMALL, borders: false }
     }
 
     #[allow(dead_code, reason = "the test of the text draws nothing")]
     pub fn picture(&self) -> Image {
-        let mut picture = Picture::new(WIDTH, HEIGHT);
+        let [width, height] = self.size;
+        let mut picture = Picture::new(width, height);
         if self.borders {
-            picture.lines = Lines::Leaves;
+            picture.lines = Lines::Faces;
             picture.style.line_opacity = 0.9;
         }
         picture.camera(self.camera).render(&self.model)

@@ -38,7 +38,7 @@ example! {
     r#"Init -->
  inline(recompose) split(x) { 10: X.
       | ~1: split(z) { 10: X. | 10: NIL }* }
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -47,7 +47,7 @@ example! {
     r#"Init -->
  inline(recompose) split(x) { 10: t(0,0,8) X.
       | ~1: split(z) { 10: X. | 10: NIL }* }
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -56,14 +56,14 @@ example! {
     r#"Init -->
  modify(fe) { 0: s('0.5,0,0) center(x) X.
       | 1: s('0.6,0,0) center(x) X. }
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
     insets, "Shape recomposition, InsetExample", square(),
     r#"InsetExample -->
   modify(fe) { all: split(x) { ~1: X.| 1: X. | 3: t(0,0,-2) X. | 1: X. | ~1: X. } }
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -72,7 +72,7 @@ example! {
     r#"Init --> inline(recompose) split(x) { '0.5: Bottom | '0.5: Top }
 Bottom --> s('1,'1,'1.5) center(z) split(z) { '1/3: X. }*
 Top --> split(z) { '1/6: X. }*
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -80,7 +80,7 @@ example! {
     r#"Init --> inline(recompose) split(x) { '0.5: Bottom | '0.5: Top }
 Bottom --> s('1,'1,'1.5)
 Top --> split(x) { '0.2: X. }*
-"#; marks &[Mark::FromAbove]
+"#; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {

@@ -167,7 +167,7 @@ Right --> setback(dists) { all       = Garden |
 
 Garden --> color("#00ff00")
 Building --> color("#d8d8d8")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -179,7 +179,7 @@ example! {
 Red --> color("#ff0000")
 Green --> color("#00ff00")
 Blue --> color("#0000ff")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -191,7 +191,7 @@ example! {
 Red --> color("#ff0000")
 Green --> color("#00ff00")
 Blue --> color("#0000ff")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -202,7 +202,7 @@ dist = dists[comp.index]
 Lot --> setbackPerEdge(dist) { all = Green }
 
 Green --> color("#00ff00")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -211,7 +211,7 @@ example! {
     r##"Lot --> setbackPerEdge(scope.sx / 7.5) { all = Green }
 
 Green --> color("#00ff00")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -221,7 +221,7 @@ example! {
 Lot --> setbackPerEdge(debug) { front = Green }
 
 Green --> color("#00ff00")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -255,7 +255,7 @@ Lot --> setbackToArea(area) { front     = Blue |
 Red --> color("#ff0000")
 Green --> color("#00ff00")
 Blue --> color("#0000ff")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -266,7 +266,7 @@ example! {
 
 Green --> color("#00ff00")
 Blue --> color("#0000ff")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -289,7 +289,7 @@ Lot -->
 
 Red --> color("#ff0000")
 Green --> color("#00ff00")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
@@ -302,7 +302,7 @@ example! {
 Yellow --> color("#F2BB1D")
 Blue   --> color("#3957A5")
 Grey   --> color("#CAC9C6")
-"##; marks &[Mark::FromAbove]
+"##; marks &[Mark::Initial, Mark::FromAbove]
 }
 
 example! {
