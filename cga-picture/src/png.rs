@@ -90,6 +90,7 @@ fn encode(
     encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     if let Some(palette) = palette {
         encoder.set_palette(palette);
+        encoder.set_compression(png::Compression::High);
         // Neighbouring indices are not neighbouring colours, so filters make files larger.
         encoder.set_filter(png::Filter::NoFilter);
     }

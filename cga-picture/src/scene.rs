@@ -146,7 +146,16 @@ impl Scene {
             // Coordinates that are not finite cannot be drawn.
             if corners.iter().all(|corner| corner.is_finite()) {
                 let normal = own_normal(&exact, normal).as_vec3();
-                self.triangles.push(Triangle { corners, normal, paint, plane, leaf, face: number, smooth: FLAT, uvs: PLAIN });
+                self.triangles.push(Triangle {
+                    corners,
+                    normal,
+                    paint,
+                    plane,
+                    leaf,
+                    face: number,
+                    smooth: FLAT,
+                    uvs: PLAIN,
+                });
             }
         }
         let added = &mut self.triangles[first..];

@@ -2,7 +2,8 @@
 
 use cga::{Model, Shape};
 
-use cga_tests::pages::cutting::{SIDES, cylinder, cylinder_cut, settings, settings_with};
+use cga_tests::pages::assets::{settings, settings_with};
+use cga_tests::pages::cutting::{SIDES, cylinder, cylinder_cut};
 use cga_tests::pages::meshes;
 
 /// Area of the regular polygon with that many corners.

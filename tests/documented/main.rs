@@ -18,6 +18,7 @@ mod cutting;
 mod faces;
 mod gates;
 mod guide;
+mod inserting;
 mod mass;
 mod mesh_operations;
 mod normals;
@@ -152,6 +153,7 @@ fn all() -> Vec<Example> {
         pages::texturing::ALL,
         pages::primitives::ALL,
         pages::roofs::ALL,
+        pages::inserting::ALL,
         pages::mass::ALL,
         pages::recompose::ALL,
         pages::scattering::ALL,
@@ -171,7 +173,7 @@ fn all() -> Vec<Example> {
 fn all_examples_run() {
     let mut titles: Vec<_> = all().iter().map(|example| example.title).collect();
     for example in all() {
-        let model = example.model(&pages::cutting::settings());
+        let model = example.model(&pages::assets::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
         assert!(example.shown().contains("-->"), "{}: the gallery shows no rule", example.title);
         for rule in example.marks.iter().filter_map(|mark| mark.rule()) {

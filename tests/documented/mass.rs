@@ -3,7 +3,7 @@
 use cga::{Model, Settings, Shape, cga};
 
 use cga_tests::pages::example::Example;
-use cga_tests::pages::{cutting, mass};
+use cga_tests::pages::{assets, mass};
 
 cga! {
     grammar Mass = r##"
@@ -119,7 +119,7 @@ fn a_concave_lot_has_valleys() {
 /// The union of the roofs with their eaves, and of the porch.
 #[test]
 fn the_footprint_of_a_building_has_its_eaves() {
-    let model = mass::footprint::EXAMPLE.model(&cutting::settings());
+    let model = mass::footprint::EXAMPLE.model(&assets::settings());
     assert_eq!((model.count("ShowAsset"), model.count("Footprint")), (1, 1));
     let (volume, _) = model.leaves_of("Footprint").next().unwrap().mesh();
     assert!(volume.is_closed());

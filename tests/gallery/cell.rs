@@ -26,7 +26,10 @@ pub struct Cell {
 /// The size of most pictures.
 const SMALL: [usize; 2] = [480, 270];
 /// The size of pictures whose numbers can be read.
-pub const LARGE: [usize; 2] = [720, 405];
+pub const LARGE: [usize; 2] = [544, 306];
+
+/// One colour in place of the sky, so that faces and lines stand out, and files are small.
+const BACKDROP: [f32; 3] = [0.78, 0.79, 0.80];
 
 /// The share of the model below which pieces are not drawn: about a tenth of a pixel.
 const THINNEST: f64 = 1e-4;
@@ -41,6 +44,7 @@ impl Cell {
     pub fn picture(&self) -> Image {
         let [width, height] = self.size;
         let mut picture = Picture::new(width, height);
+        picture.style.backdrop = [BACKDROP; 2];
         if self.borders {
             picture.lines = Lines::Faces;
             picture.style.line_opacity = 0.9;

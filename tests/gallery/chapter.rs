@@ -9,7 +9,7 @@ use super::cell::{Cell, area_cell, camera, cell, comp_cell, row};
 use super::same;
 use super::textured;
 use crate::pages::example::Example;
-use crate::pages::{self, cutting, meshes};
+use crate::pages::{self, assets, cutting, meshes};
 
 /// A page of the gallery.
 pub struct Chapter {
@@ -26,7 +26,7 @@ const REFERENCE: &str = "https://esri.github.io/cityengine-sdk/html/cgaref/cgare
 
 /// All chapters. The examples run.
 pub fn chapters() -> Vec<Chapter> {
-    let (plain, with_meshes) = (Settings::default(), cutting::settings());
+    let (plain, with_meshes) = (Settings::default(), assets::settings());
     let each = |examples: &[Example]| -> Vec<Cell> {
         examples.iter().map(|example| comp_cell(example, &with_meshes)).collect()
     };
@@ -105,6 +105,7 @@ pub fn chapters() -> Vec<Chapter> {
             each(&[pages::mass::ALL, pages::wings::ALL].concat()),
         ),
         chapter("scatter", "Points", &["op_scatter"], each(pages::scattering::ALL)),
+        chapter("inserting", "Inserted assets", &["op_i", "op_insertAlongUV"], each(pages::inserting::ALL)),
         chapter(
             "recompose",
             "Recomposed shapes",
@@ -133,9 +134,9 @@ pub fn chapters() -> Vec<Chapter> {
 
 /// The cylinder, and the same rules on a hollow cylinder.
 fn cut() -> Vec<Cell> {
-    let tube = cutting::settings_with(meshes::lying_tube(cutting::SIDES, [0.3, 0.5], 4.0));
-    let view = camera(cutting::cylinder::EXAMPLE.model(&cutting::settings()).bounds());
-    let solid = cutting::ALL.iter().map(|example| cell(example, &cutting::settings(), view, lengths));
+    let tube = assets::settings_with(meshes::lying_tube(cutting::SIDES, [0.3, 0.5], 4.0));
+    let view = camera(cutting::cylinder::EXAMPLE.model(&assets::settings()).bounds());
+    let solid = cutting::ALL.iter().map(|example| cell(example, &assets::settings(), view, lengths));
     let hollow = cell(&cutting::cylinder_cut::EXAMPLE, &tube, view, lengths);
     solid.chain([Cell { title: "The same on a hollow cylinder", ..hollow }]).collect()
 }

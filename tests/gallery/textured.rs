@@ -1,8 +1,11 @@
 //! The examples with texture coordinates, drawn with the test texture.
 
+use std::sync::Arc;
+
+use cga::glam::DVec3;
 use cga::mesh::Bounds;
 use cga::sink::picture::Camera;
-use cga::{Model, Settings, Shape};
+use cga::{Color, Leaf, Material, Model, Quad, Scope, Settings, Shape, Sink, Text};
 
 use super::cell::{Cell, LARGE};
 use crate::pages::example::Example;
@@ -42,6 +45,9 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         texturing::two_segments().into_iter().for_each(|shape| put_below(&mut model, shape, settings));
     }
     let bounds = model.bounds();
+    if has_borders(example) {
+        model = outlined(&model, 0.004 * bounds.size().max_element());
+    }
     let camera = match example.title {
         title if title.starts_with("tileUV") => Camera::auto(bounds).looking_from(0.0, 90.0).orthographic(),
         title if title.contains("Global") => from(bounds, 0.0, 60.0),
@@ -50,7 +56,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
         title if title.contains("Scope vs.") => from(bounds, 0.0, 0.0),
         _ => from(bounds, 30.0, 20.0),
     };
-    Cell { borders: has_borders(example), size: LARGE, ..Cell::new(example, model, camera) }
+    Cell { size: LARGE, ..Cell::new(example, model, camera) }
 }
 
 /// The other shapes in the page's picture: a smaller façade, the second segment of the street.
@@ -71,6 +77,30 @@ fn put_below(model: &mut Model, shape: Shape, settings: &Settings) {
 /// Returns true if the page's picture shows the borders of the pieces or of the faces.
 fn has_borders(example: &Example) -> bool {
     ["UV Split", "Street Tiling: default", "with offsets"].iter().any(|title| example.title.contains(title))
+}
+
+/// The model with black strips of that width along all edges, inside the faces.
+fn outlined(model: &Model, width: f64) -> Model {
+    let mut out = Model::new();
+    let _ = model.replay(&mut out);
+    let mut black = Material::default();
+    black.color = Some(Color::new(0.0, 0.0, 0.0));
+    let material = Arc::new(black);
+    for leaf in model.leaves() {
+        let (mesh, placement) = leaf.mesh();
+        for face in mesh.faces() {
+            let corner = |at: usize| placement.transform_point3(mesh.points()[mesh.corners()[at] as usize]);
+            let points: Vec<DVec3> = face.corner_range().map(corner).collect();
+            let normal = placement.transform_vector3(face.normal()).normalize_or_zero();
+            for (from, to) in points.iter().zip(points.iter().cycle().skip(1)) {
+                let (along, lift) = (*to - *from, normal * width);
+                let strip = Quad::new(*from + 0.2 * lift, along, normal.cross(along.normalize_or_zero()) * width);
+                let scope = Scope { origin: strip.origin, ..leaf.scope() };
+                let _ = out.quad(&Leaf::new(&Text::fixed("Edge"), &material, &scope), &strip);
+            }
+        }
+    }
+    out
 }
 
 fn from(bounds: Bounds, azimuth: f64, elevation: f64) -> Camera {

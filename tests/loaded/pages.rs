@@ -4,7 +4,7 @@ use cga::{Grammar, Model, RuleFile};
 use cga_tests::inline;
 use cga_tests::outcome::bytes;
 use cga_tests::pages::example::Example;
-use cga_tests::pages::{self, cutting};
+use cga_tests::pages::{self, assets};
 use cga_tests::tree::root;
 
 /// All pages.
@@ -15,6 +15,7 @@ const PAGES: [&[Example]; 22] = [
     pages::comp::ALL,
     pages::components::ALL,
     pages::cutting::ALL,
+    pages::inserting::ALL,
     pages::mass::ALL,
     pages::mesh_operations::ALL,
     pages::normals::ALL,
@@ -51,7 +52,7 @@ fn shared(rules: &str) -> String {
 
 #[test]
 fn examples_give_the_same() {
-    let (settings, mut count) = (cutting::settings(), 0);
+    let (settings, mut count) = (assets::settings(), 0);
     for example in PAGES.into_iter().flatten() {
         let shape = (example.start)();
         let rules = format!("{}\n{}", example.rules, shared(example.rules));

@@ -1,28 +1,14 @@
 //! *split operation*, Cutting Geometry: a cylinder model is inserted and cut.
 
-use std::sync::Arc;
-
-use cga::{Assets, Mesh, Settings, Shape};
+use cga::Shape;
 
 use super::example::{Example, example};
-use super::meshes;
 
 /// Both pictures of the page.
 pub const ALL: &[Example] = &[cylinder::EXAMPLE, cylinder_cut::EXAMPLE];
 
 /// Sides of the cylinder of the page's pictures.
 pub const SIDES: u32 = 16;
-
-/// Settings with the meshes that the pages insert.
-pub fn settings() -> Settings {
-    settings_with(meshes::lying_cylinder(SIDES, 0.5, 4.0))
-}
-
-/// The same with another cylinder.
-pub fn settings_with(mesh: Mesh) -> Settings {
-    let assets = Assets::new().with("cylinder.hor.obj", mesh).with("building.obj", meshes::house());
-    Settings { assets: Arc::new(assets), ..Settings::default() }
-}
 
 /// On the page's pictures the cylinder lies on the ground, its middle above the x axis: the initial shape is 10 metres long
 /// and has no height and no depth, so that the model keeps its proportions and its place about the axis.

@@ -78,6 +78,15 @@ pub fn sphere(sides: u32, rows: u32, radius: f64) -> Mesh {
     builder.build().expect("a sphere")
 }
 
+/// Adds a box by its lowest corner and its size.
+pub fn block(builder: &mut MeshBuilder, low: [f64; 3], size: [f64; 3], tag: FaceTag) {
+    let corner = |i: usize| [0, 1, 2].map(|axis| low[axis] + if i >> axis & 1 == 1 { size[axis] } else { 0.0 });
+    let points: Vec<u32> = (0..8).map(|i| builder.point(corner(i))).collect();
+    for face in [[4, 5, 7, 6], [5, 1, 3, 7], [1, 0, 2, 3], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]] {
+        builder.face(&face.map(|i| points[i]), &[], tag);
+    }
+}
+
 /// A trunk, a crown and three fruits: boxes, in groups and materials of the same names. As in the file of the page, the material
 /// of the fruits is called `Foliage`.
 ///
@@ -100,11 +109,7 @@ pub fn tree() -> Mesh {
         material
     }));
     for (part, low, size) in PARTS {
-        let corner = |i: usize| [0, 1, 2].map(|axis| low[axis] + if i >> axis & 1 == 1 { size[axis] } else { 0.0 });
-        let points: Vec<u32> = (0..8).map(|i| builder.point(corner(i))).collect();
-        for face in [[4, 5, 7, 6], [5, 1, 3, 7], [1, 0, 2, 3], [0, 4, 6, 2], [6, 7, 3, 2], [0, 1, 5, 4]] {
-            builder.face(&face.map(|i| points[i]), &[], FaceTag { group: part, material: part, ..FaceTag::PLAIN });
-        }
+        block(&mut builder, low, size, FaceTag { group: part, material: part, ..FaceTag::PLAIN });
     }
     builder.build().expect("a tree")
 }

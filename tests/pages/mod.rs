@@ -1,5 +1,6 @@
 //! The pages' examples: what the tests check and `examples/gallery.rs` draws.
 
+pub mod assets;
 pub mod boolean;
 pub mod boolean_table;
 pub mod cleanup;
@@ -7,6 +8,7 @@ pub mod comp;
 pub mod components;
 pub mod cutting;
 pub mod example;
+pub mod inserting;
 pub mod mass;
 pub mod mesh_operations;
 pub mod meshes;

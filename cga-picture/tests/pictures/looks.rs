@@ -1,7 +1,7 @@
 //! What pictures show.
 
 use cga_picture::glam::{DVec2, DVec3};
-use cga_picture::{Alpha, Bitmap, Bounds, Face, Lines, Paint, Renderer, Scene, Viewpoint};
+use cga_picture::{Alpha, Bitmap, Bounds, Camera, Face, Lines, Paint, Renderer, Scene, Viewpoint};
 
 use crate::{HALVES, add, color, front, square};
 
@@ -117,6 +117,29 @@ fn lines_divide_leaves_in_one_plane_if_wanted() {
     let [none, same, edges, leaves] = [(1, Lines::None), (0, Lines::Leaves), (1, Lines::Edges), (1, Lines::Leaves)]
         .map(|(leaf, lines)| dark(leaf, lines));
     assert!(none == same && same == edges && leaves < edges, "{none} {same} {edges} {leaves}");
+}
+
+/// Two faces in one plane and in one leaf on the ground, seen from above.
+#[test]
+fn lines_divide_faces_of_one_leaf_and_surround_them_on_the_ground_if_wanted() {
+    let flat = square(0.0).map(|point| DVec3::new(point.x, 0.0, -point.y));
+    let dark = |lines: Lines, opacity: f32| {
+        let mut scene = Scene::new(Bounds::of(flat));
+        let paint = scene.add_paint(Paint { opacity, ..Paint::default() });
+        for half in HALVES {
+            scene.add_face(&Face::new(&flat, &[half], DVec3::Y, paint));
+        }
+        let camera = Camera { margin: 0.2, ..Camera::auto(Bounds::of(flat)) }.looking_from(0.0, 90.0).orthographic();
+        let renderer = Renderer { view: Viewpoint::Camera(camera), ground: true, lines, ..front(64) };
+        let picture = renderer.render(&scene);
+        // In a row through the middle: the edge on the left, the diagonal, and the edge on the right.
+        let row: Vec<u8> = (0..64).filter_map(|x| picture.pixel(x, 32)).map(|[red, ..]| red).collect();
+        [&row[..24], &row[24..40], &row[40..]].map(|part| *part.iter().min().expect("a pixel"))
+    };
+    for opacity in [1.0, 0.3] {
+        let [plain, faces] = [Lines::Edges, Lines::Faces].map(|lines| dark(lines, opacity));
+        assert!((0..3).all(|part| faces[part] + 8 < plain[part]), "{plain:?} {faces:?} at the opacity {opacity}");
+    }
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use cga::Settings;
 use cga_gates::{Finding, GlbSurvey, back_faces, fights, holes, inside_out};
 use cga_tests::drawn::Drawn;
-use cga_tests::pages::cutting;
+use cga_tests::pages::assets;
 
 use super::Surveyed;
 use super::fights::MOST;
@@ -31,6 +31,7 @@ const OPEN: &[&str] = &[
     "footprint operation",
     "innerRectangle operation, aligned to the world",
     "innerRectangle operation, slanting faces",
+    "insertAlongUV operation, Curved surfaces",
     "modify operation, Hyperbolic grid",
     "reduceGeometry operation",
     "rotateUV operation",
@@ -55,6 +56,8 @@ const APART: &[&str] = &[
     "comp operation, isTagged Selector",
     "innerRectangle operation, aligned to the world",
     "innerRectangle operation, slanting faces",
+    "insertAlongUV operation, Curved surfaces: a sphere",
+    "insertAlongUV operation, Repeating geometries: splits",
     "modify operation, Chaikin's corner cutting",
     "roofRidge operation, component tags",
     "roofShed operation, component tags",
@@ -94,7 +97,7 @@ fn the_examples_of_the_chapters_pass_the_gates() {
     for example in crate::all() {
         let title = example.title;
         let surveyed = Surveyed::new(Drawn::new(title, move |settings| {
-            Ok((example.run)(&(example.start)(), &Settings { tree: settings.tree, ..cutting::settings() })?)
+            Ok((example.run)(&(example.start)(), &Settings { tree: settings.tree, ..assets::settings() })?)
         }));
         let (survey, looks) = (&surveyed.survey, &surveyed.looks);
         let gates: [(&str, usize, &'static [&'static str], Vec<Finding>); 4] = [
