@@ -51,9 +51,9 @@ cga! {
                 modify(f) { side : setupProjection(0, scope.xy, 6, 6) projectUV(0) | all : setupProjection(0, world.xz, 6, 6) projectUV(0) } Water.
     // Grass above walls of stone.
     Bank    --> [ t(0, -bed, 0) extrude(bed + 1) comp(f) { top : Grass | bottom : NIL | all : setupProjection(0, scope.xy, 2.7, 1.8) Stone } ]
-                t(0, 1, 0) split(z) { ^0.3 : Grove | ~1 : NIL | ^0.3 : Grove }
+                t(0, 1, 0) split(z) { ~1 : NIL | 14 : Grove | width + 16 : NIL | 14 : Grove | ~1 : NIL }
     Grass   --> setupProjection(0, world.xz, 4, 4) color("#8ba567") texture("grass.png") set(material.normalmap, "grass_normal.png") projectUV(0) Grass.
-    Grove   --> scatter(surface, 7, uniform) { Tree(rand(3, 5.5)) }
+    Grove   --> scatter(surface, 6, uniform) { Tree(rand(3, 5.5)) }
     Tree(size) --> [ s(0.4, size * 0.6, 0.4) center(xz) primitiveCylinder(8) color("#8a6d50") scaleUV(0, 1, 4)
                 texture("bark.png") set(material.normalmap, "bark_normal.png") Trunk. ]
                 t(0, size * 0.45, 0) s(size, size * 1.1, size) center(xz) color(leaves) Crown(size)
@@ -108,11 +108,11 @@ pub fn scene() -> Scene<()> {
         sentence: "A cylinder is cut out of each span, whatever its width; the length of the bridge determines the number of spans.",
         rules: grammar_text(include_str!("bridge.rs")),
         grammar: (),
-        shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 46.0))],
+        shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 100.0))],
         view: View {
             azimuth: 38.0,
             elevation: 13.0,
-            region: Some([[22.0, 2.0, 6.0], [92.0, 13.0, 30.0]]),
+            region: Some([[22.0, 2.0, 33.0], [92.0, 13.0, 57.0]]),
             ..View::default()
         },
     }
