@@ -128,7 +128,7 @@ impl<'a> FaceRef<'a> {
 
     /// The area vector of the face scaled to a size of about 1.
     #[cold]
-    fn area_vector_at_one(&self) -> DVec3 {
+    pub(super) fn area_vector_at_one(&self) -> DVec3 {
         let scale = Bounds::of(self.corner_range().map(|corner| self.position(corner))).scale_to_one();
         self.area_vector_of(|p| p * scale)
     }

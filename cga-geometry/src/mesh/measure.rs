@@ -6,6 +6,7 @@ use super::pair_table::PairTable;
 use super::{Bounds, FaceRef, Mesh};
 use crate::each::Each;
 use crate::tol::VOLUME_EPSILON;
+use crate::vector::{unit, well_scaled};
 use crate::work;
 
 /// The units of work of counting an edge.
@@ -60,6 +61,23 @@ impl Mesh {
             }
         }
         Some(net.pairs().all(|(_, count)| count == 0))
+    }
+
+    /// The unit normal of each face; zero for a face without area.
+    pub fn face_normals(&self) -> Vec<DVec3> {
+        let Some(ends) = self.loop_ends_of_polygons() else { return self.faces().map(|face| face.normal()).collect() };
+        let mut start = 0;
+        let mut normal = |(index, &end): (usize, &u32)| match self.corners
+            [std::mem::replace(&mut start, end as usize)..end as usize]
+        {
+            // The most frequent face.
+            [a, b, c] => {
+                let [a, b, c] = [a, b, c].each(|point| self.points[point as usize]);
+                unit(well_scaled((b - a).cross(c - a), || self.face(index).area_vector_at_one()))
+            }
+            _ => self.face(index).normal(),
+        };
+        ends.iter().enumerate().map(&mut normal).collect()
     }
 
     /// The normal of each face. `None` if the work is to end.

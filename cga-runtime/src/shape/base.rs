@@ -82,6 +82,21 @@ impl Base {
         Base { constant: part.base.constant, ..Base::new(shape, look) }
     }
 
+    /// Changes the shape of the base, which keeps its look.
+    #[inline(always)]
+    pub(crate) fn change(&mut self, change: impl FnOnce(&mut Shape)) {
+        change(&mut self.shape);
+        self.axes = Axes::new(self.shape.scope.axes);
+        // Rectangles alone grow.
+        if matches!(self.shape.geometry, Geometry::Rect(..)) {
+            self.raised = self.axes.raised();
+        }
+        self.maps = KeptMaps::default();
+        if self.shape.state.has_texture_space() {
+            self.constant = constant(&self.shape);
+        }
+    }
+
     #[inline]
     fn form(&self) -> (Form, UnitMesh) {
         let is_plain = 0.0 <= self.shape.scope.size.min_element();
