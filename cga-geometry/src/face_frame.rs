@@ -56,7 +56,7 @@ pub struct FaceAxes {
 ///
 /// # Panics
 /// Panics if the face does not exist.
-#[inline]
+#[inline(always)]
 pub fn face_axes(mesh: &Mesh, face: usize, z: DVec3) -> Option<FaceAxes> {
     let loops = mesh.face_loops(face);
     let outer = &mesh.corners[mesh.loop_range(loops.start)];

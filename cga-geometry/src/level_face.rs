@@ -55,28 +55,27 @@ impl<'m> LevelFaces<'m> {
         made
     }
 
-    /// Replaces another face of the mesh, which [`LevelFaces::make`] has made, without new memory. Returns false, and leaves `made` as it is, if
-    /// that cannot be done.
+    /// Replaces another face of the mesh, which [`LevelFaces::make`] has made, without new memory. Returns its bounds. `None` if that cannot be
+    /// done; then `made` stays as it is.
     ///
     /// # Panics
     /// Panics if the face does not exist.
     #[inline]
-    pub fn put(&self, made: &mut Mesh, face: usize, to: &Frame) -> bool {
+    pub fn put(&self, made: &mut Mesh, face: usize, to: &Frame) -> Option<Bounds> {
         let loops = self.mesh.face_loops(face);
         let corners = self.mesh.corners_of(&loops);
         // A mesh that someone keeps should not hold the memory of a larger face.
         let may = self.is_simple && corners.len() <= FEW && made.corners.capacity() <= MUCH;
-        if may {
+        may.then(|| {
             debug_assert!(made.is_alike(self.mesh), "another face of the same mesh");
-            self.fill(made, (face, loops, corners), to);
-        }
-        may
+            self.fill(made, (face, loops, corners), to)
+        })
     }
 
-    /// Replaces the only face of a mesh by a face with these loops and corners.
-    fn fill(&self, made: &mut Mesh, (face, loops, corners): (usize, Range<usize>, Range<usize>), to: &Frame) {
+    /// Replaces the only face of a mesh by a face with these loops and corners. Returns its bounds.
+    fn fill(&self, made: &mut Mesh, (face, loops, corners): (usize, Range<usize>, Range<usize>), to: &Frame) -> Bounds {
         let mesh = self.mesh;
-        put_points(made, mesh, loops, &mesh.corners[corners.clone()], to);
+        let bounds = put_points(made, mesh, loops, &mesh.corners[corners.clone()], to);
         made.tags.put_single(mesh.tags[face]);
         if mesh.bent != DVec3::ZERO {
             made.bent = to.axes.transpose() * mesh.bent;
@@ -84,21 +83,22 @@ impl<'m> LevelFaces<'m> {
         if self.has_values {
             put_values(made, mesh, corners, to);
         }
+        made.derived.reset(bounds);
         made.check_structure();
+        bounds
     }
 }
 
-/// Replaces the points and the loops of the only face of a mesh.
+/// Replaces the points and the loops of the only face of a mesh. Returns their bounds.
 #[inline]
-fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32], to: &Frame) {
+fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32], to: &Frame) -> Bounds {
     let place = |point: u32| to.to_local(mesh.points[point as usize]);
     let counts = [made.corners.len(), made.points.len(), made.loop_ends.len()];
     // In the triangle before, the loop is the same.
     if let (&[a, b, c], [3, 3, 1], [x, y, z]) = (corners, counts, &mut made.points[..]) {
         let triangle = [a, b, c].each(|point| level_point(place(point)));
         [*x, *y, *z] = triangle;
-        made.derived.reset(Bounds::of(triangle));
-        return;
+        return Bounds::of(triangle);
     }
     // The corners of a triangle are at different points.
     let is_triangle = corners.len() == 3;
@@ -123,8 +123,7 @@ fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32]
         made.face_ends = FaceEnds::default();
         made.face_ends.push(loops.len());
     }
-    let bounds = level(&mut made.points, is_triangle);
-    made.derived.reset(bounds);
+    level(&mut made.points, is_triangle)
 }
 
 /// Replaces the values of corners.
@@ -228,8 +227,9 @@ mod tests {
                     let before = bits(&last);
                     // Properties of the last face must not stay.
                     let _ = (last.is_closed(), last.adjacency());
-                    if faces.put(&mut last, face, &frame) {
+                    if let Some(bounds) = faces.put(&mut last, face, &frame) {
                         put += 1;
+                        assert_eq!(bounds, last.bounds());
                         assert_eq!(bits(&last), expected);
                         assert!(last.derived.adjacency.get().is_none() && last.derived.closed.get().is_none());
                     } else {

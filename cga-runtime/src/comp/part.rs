@@ -24,6 +24,16 @@ pub(super) struct ComponentPart {
     pub(super) geometry: Geometry,
 }
 
+impl ComponentPart {
+    /// Replaces the scope, the pivot and the geometry of a shape.
+    #[inline(always)]
+    pub(super) fn put_into(self, shape: &mut Shape) {
+        shape.scope = self.scope;
+        shape.pivot = self.pivot;
+        shape.geometry = self.geometry;
+    }
+}
+
 impl ComponentSource {
     /// The part of the components with those numbers, aligned to the first. Edges may be edges of a roof (*comp
     /// operation*).
@@ -104,9 +114,9 @@ fn placed_face(faces: &LevelFaces<'_>, face: usize, frame: &Frame, last: Option<
     if let Some(mut last) = last
         && let Some(placed) = Arc::get_mut(&mut last)
         && let Some(mesh) = Arc::get_mut(&mut placed.mesh)
-        && faces.put(mesh, face, frame)
+        && let Some(bounds) = faces.put(mesh, face, frame)
     {
-        placed.fit();
+        placed.fit(bounds);
         return last;
     }
     Arc::new(Placed::fitted(faces.make(face, frame)))

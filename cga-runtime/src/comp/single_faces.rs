@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::mesh_parts::MeshParts;
-use super::part::ComponentPart;
 use super::source::ComponentSource;
 use super::{Align, AssignedComponents, Components, Mode};
 use crate::geometry::level_face::LevelFaces;
@@ -72,21 +71,20 @@ impl AssignedComponents<'_> {
         if let Geometry::Mesh(placed) = std::mem::replace(&mut shape.geometry, Geometry::Empty) {
             next.last = Some(placed);
         }
-        let part = match parts.face_axes(face as usize) {
-            Some(axes) => parts.face_part(&next.faces, &self.parent.scope, face as usize, &axes, &mut next.last),
-            None => self.source.kept(self.parent, &[face], false),
-        };
-        let ComponentPart { scope, pivot, geometry } = part;
-        shape.scope = scope;
-        shape.pivot = pivot;
-        shape.geometry = geometry;
+        match parts.face_axes(face as usize) {
+            Some(axes) => {
+                let scope = &self.parent.scope;
+                parts.face_part(&next.faces, scope, face as usize, &axes, &mut next.last).put_into(shape);
+            }
+            None => self.source.kept(self.parent, &[face], false).put_into(shape),
+        }
         shape.seed = Seed::new(seed::part(self.parent.seed.value(), face, 0));
         shape.comp = comp;
         match (&self.parent.trims, &mut shape.trims) {
             (Trims::None, Trims::Face(_, known)) => *known = face,
             (own, trims) => {
                 let planes = self.own_trims(&self.arms[number], face);
-                *trims = own.with(&self.parent.pivot, planes, &pivot);
+                *trims = own.with(&self.parent.pivot, planes, &shape.pivot);
             }
         }
     }

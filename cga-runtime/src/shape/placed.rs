@@ -36,14 +36,13 @@ impl Placed {
     pub(crate) fn fitted(mesh: impl Into<Arc<Mesh>>) -> Self {
         let (low, size) = (DVec3::ZERO, DVec3::ZERO);
         let mut placed = Placed { mesh: mesh.into(), low, size, inserted: Inserted::No, mirrored: false };
-        placed.fit();
+        placed.fit(placed.mesh.bounds());
         placed
     }
 
-    /// Fits the box to a mesh that has changed.
+    /// Fits the box to a mesh with these bounds.
     #[inline]
-    pub(crate) fn fit(&mut self) {
-        let bounds = self.mesh.bounds();
+    pub(crate) fn fit(&mut self, bounds: Bounds) {
         self.low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
         self.size = bounds.size();
     }
