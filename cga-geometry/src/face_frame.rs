@@ -99,7 +99,11 @@ impl FaceAxes {
             return None;
         }
         let [a, b, c, d] = mesh.corners[mesh.face_corners(face)] else { return None };
-        let corners = [a, b, c, d].each(|point| self.frame.to_local(mesh.points()[point as usize]));
+        let corners = [a, b, c, d].each(|point| mesh.points()[point as usize]);
+        if is_far_from_parallelogram(&corners) {
+            return None;
+        }
+        let corners = corners.each(|corner| self.frame.to_local(corner));
         let [low, high] = spread(corners.into_iter());
         // Coordinates below zero are rounding errors.
         let size = high - low;
@@ -110,6 +114,13 @@ impl FaceAxes {
         };
         corners.into_iter().zip(expected).all(is_near).then_some(size)
     }
+}
+
+/// Returns true if four corners are no parallelogram, much beyond the tolerance for rectangles.
+#[inline]
+fn is_far_from_parallelogram([a, b, c, d]: &[DVec3; 4]) -> bool {
+    let open = (*a - *b) + (*c - *d);
+    1e-6 * (*a - *c).length_squared() < open.length_squared()
 }
 
 /// The smallest and the largest coordinates of points and of the origin.

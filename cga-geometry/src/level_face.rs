@@ -100,10 +100,13 @@ fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32]
         [*x, *y, *z] = triangle;
         return Bounds::of(triangle);
     }
-    // The corners of a triangle are at different points.
-    let is_triangle = corners.len() == 3;
     let number = |corner: usize| corners[..corner].iter().position(|&other| other == corners[corner]);
-    let is_polygon = loops.len() == 1 && (is_triangle || (1..corners.len()).all(|corner| number(corner).is_none()));
+    // Neighbours are at different points.
+    let is_polygon = match *corners {
+        [_, _, _] => true,
+        [a, b, c, d] => a != c && b != d,
+        _ => loops.len() == 1 && (1..corners.len()).all(|corner| number(corner).is_none()),
+    };
     if is_polygon && counts == [corners.len(), corners.len(), 1] {
         // The old face has the same loop, over the points in their order.
         made.points.iter_mut().zip(corners).for_each(|(old, &point)| *old = place(point));
@@ -112,7 +115,8 @@ fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32]
         made.corners.clear();
         made.loop_ends.clear();
         for (corner, &point) in corners.iter().enumerate() {
-            let number = match number(corner) {
+            let earlier = if is_polygon { None } else { number(corner) };
+            let number = match earlier {
                 Some(earlier) => made.corners[earlier],
                 None => made.add_point(place(point)),
             };
@@ -123,7 +127,7 @@ fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32]
         made.face_ends = FaceEnds::default();
         made.face_ends.push(loops.len());
     }
-    level(&mut made.points, is_triangle)
+    level(&mut made.points, corners.len() == 3)
 }
 
 /// Replaces the values of corners.
@@ -131,9 +135,11 @@ fn put_points(made: &mut Mesh, mesh: &Mesh, loops: Range<usize>, corners: &[u32]
 fn put_values(made: &mut Mesh, mesh: &Mesh, corners: Range<usize>, to: &Frame) {
     let into = to.axes.transpose();
     made.uvs.clear();
-    made.normals.clear();
-    made.add_values(mesh, corners);
-    made.normals.iter_mut().for_each(|normal| *normal = into * *normal);
+    made.uvs.copy_from(&mesh.uvs, corners.clone());
+    if !mesh.normals.is_empty() {
+        made.normals.clear();
+        made.normals.extend(mesh.normals[corners].iter().map(|normal| into * *normal));
+    }
 }
 
 /// The mesh of a part, moved into the xy plane if it is a triangle or in that plane except for rounding.
@@ -146,17 +152,13 @@ pub fn levelled(mut mesh: Mesh) -> Mesh {
 
 /// Moves points into the xy plane if they belong to a triangle, or are in that plane except for rounding. Returns their bounds.
 fn level(points: &mut [DVec3], is_triangle: bool) -> Bounds {
-    let bounds = |points: &[DVec3]| Bounds::of(points.iter().copied());
-    if !is_triangle {
-        let own = bounds(points);
-        let size = own.size();
-        let is_level = size.z <= PLANAR_EPSILON * size.max_element();
-        if !is_level {
-            return own;
-        }
+    let mut bounds = Bounds::of(points.iter().copied());
+    let size = bounds.size();
+    if !points.is_empty() && (is_triangle || size.z <= PLANAR_EPSILON * size.max_element()) {
+        points.iter_mut().for_each(|point| *point = level_point(*point));
+        [bounds.low, bounds.high] = [bounds.low, bounds.high].each(level_point);
     }
-    points.iter_mut().for_each(|point| *point = level_point(*point));
-    bounds(points)
+    bounds
 }
 
 fn level_point(point: DVec3) -> DVec3 {

@@ -326,11 +326,12 @@ impl<'s> AssignedComponents<'s> {
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
+        let mut last = None;
         for number in 0..self.arms.len() {
             if let Some(parts) = self.faces_of(number)
                 && cx.env.recompositions.is_empty()
             {
-                self.each_face(parts, number, cx, visit)?;
+                self.each_face(parts, number, &mut last, cx, visit)?;
                 continue;
             }
             self.each_of(number, |arm, _, mut part| {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::mesh_parts::MeshParts;
+use super::part::ComponentPart;
 use super::source::ComponentSource;
 use super::{Align, AssignedComponents, Components, Mode};
 use crate::geometry::level_face::LevelFaces;
@@ -35,27 +36,46 @@ impl AssignedComponents<'_> {
         }
     }
 
-    /// Calls `visit` with the shape of each face of an arm. Faces without an origin need no further step.
+    /// Calls `visit` with the shape of each face of an arm. Faces without an origin need no further step. `last` is the last face of an
+    /// earlier arm that was a mesh.
     pub(super) fn each_face<C>(
         &self,
         parts: &MeshParts,
         number: usize,
+        last: &mut Option<Arc<Placed>>,
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
         let mine = || self.owners.of(number as u16);
         let total = mine().count();
-        let look = cx.env.look_id(self.parent.state.look());
         let mut faces = mine().enumerate();
         let Some((_, first)) = faces.next() else { return Flow::Continue(()) };
-        let mut base = Base::new(self.part(number, Counter::new(0, total), &[first]), look);
+        let mut next = NextFace { faces: LevelFaces::of(&parts.mesh), last: last.take() };
+        let look = cx.env.look_id(self.parent.state.look());
+        let mut base = Base::new(self.first_face(parts, number, (first, Counter::new(0, total)), &mut next), look);
         visit(cx, number as u32, &base.shape())?;
-        let mut next = NextFace { faces: LevelFaces::of(&parts.mesh), last: None };
         for (index, face) in faces {
             base.change(|shape| self.put_face(parts, shape, number, (face, Counter::new(index, total)), &mut next));
             visit(cx, number as u32, &base.shape())?;
         }
+        *last = base.into_mesh().or(next.last);
         Flow::Continue(())
+    }
+
+    /// The shape of the first face of an arm.
+    fn first_face(
+        &self,
+        parts: &MeshParts,
+        number: usize,
+        (face, comp): (u32, Counter),
+        next: &mut NextFace<'_>,
+    ) -> Shape {
+        let part = match parts.face_axes(face as usize) {
+            Some(axes) => parts.face_part(&next.faces, &self.parent.scope, face as usize, &axes, &mut next.last),
+            None => self.source.kept(self.parent, &[face], false),
+        };
+        let (arm, ComponentPart { scope, pivot, geometry }) = (&self.arms[number], part);
+        self.shape(arm, comp, face, scope, pivot, geometry, self.own_trims(arm, face))
     }
 
     /// Makes the shape of a face of the shape of another face of the same arm, as [`AssignedComponents::part`] does.
