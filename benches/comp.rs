@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cga::glam::{DAffine3, DVec3};
+use cga::sink::buffers::Buffers;
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Repeats, Settings, Shape, Sink, cga};
 use cga_runtime::geometry::mesh::MeshBuilder;
 use common::clock::{fastest, nanoseconds_each};
@@ -158,6 +159,15 @@ fn works() -> Vec<Work> {
         let row = Shape::cuboid(1000.0, 1.0, 1.0);
         (6000, move || drop(Boxes::default().run(&row, &settings, &mut Count::default()).expect("no error")))
     });
+    let buffers = Work::new("each, in buffers", || {
+        let (mesh, settings) = (ball(50), Settings::default());
+        let (faces, shape) = (mesh.face_count(), Shape::mesh_axis_aligned(mesh));
+        (faces, move || {
+            let mut sink = Buffers::new();
+            drop(Each::default().run(&shape, &settings, &mut sink).expect("no error"));
+            assert_eq!(sink.triangle_count(), faces);
+        })
+    });
     let small = |name: &str, each: usize, run: fn(&Shape, &Settings) -> usize| {
         Work::new(name, move || {
             let settings = Settings { repeats: Repeats::Direct, ..Settings::default() };
@@ -175,7 +185,7 @@ fn works() -> Vec<Work> {
         drop(Spheres::default().run(row, settings, &mut sink).expect("no error"));
         sink.0
     });
-    vec![ball_work("together", false), ball_work("each", true), boxes, cylinders, spheres]
+    vec![ball_work("together", false), ball_work("each", true), buffers, boxes, cylinders, spheres]
 }
 
 fn main() {
