@@ -64,12 +64,13 @@ impl<'m> LevelFaces<'m> {
     pub fn put(&self, made: &mut Mesh, face: usize, to: &Frame) -> Option<Bounds> {
         let loops = self.mesh.face_loops(face);
         let corners = self.mesh.corners_of(&loops);
-        // A mesh that someone keeps should not hold the memory of a larger face.
-        let may = self.is_simple && corners.len() <= FEW && made.corners.capacity() <= MUCH;
-        may.then(|| {
-            debug_assert!(made.is_alike(self.mesh), "another face of the same mesh");
-            self.fill(made, (face, loops, corners), to)
-        })
+        let may = self.is_simple
+            && corners.len() <= FEW
+            && made.is_alike(self.mesh)
+            && !made.needs_origins()
+            // A mesh that someone keeps should not hold the memory of a larger face.
+            && made.corners.capacity() <= MUCH;
+        may.then(|| self.fill(made, (face, loops, corners), to))
     }
 
     /// Replaces the only face of a mesh by a face with these loops and corners. Returns its bounds.
@@ -242,6 +243,14 @@ mod tests {
             }
             assert_eq!(0 < put, faces.is_simple, "{mesh:?}");
         }
+    }
+
+    #[test]
+    fn a_face_does_not_replace_a_face_of_a_mesh_with_other_names() {
+        let (plain, named) = (primitive::cube(), primitive::cube().in_group("house"));
+        let mut made = LevelFaces::of(&plain).make(0, &Frame::WORLD);
+        assert!(LevelFaces::of(&plain).put(&mut made, 1, &Frame::WORLD).is_some());
+        assert!(LevelFaces::of(&named).put(&mut made, 1, &Frame::WORLD).is_none());
     }
 
     #[test]
