@@ -1,4 +1,4 @@
-//! The component split: a large mesh by direction, and boxes, whose faces need no mesh.
+//! The component split: a large mesh by direction, boxes, whose faces need no mesh, and small meshes.
 //!
 //! `cargo bench --bench comp`, with `-- --instructions` instructions instead of times. It compares the grammar with a hand-written loop that computes each face's normal and
 //! adds the face to the list of its direction.
@@ -11,6 +11,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use cga::glam::{DAffine3, DVec3};
+use cga::sink::buffers::Buffers;
 use cga::{Cuboid, Flow, Leaf, Mesh, Quad, Repeats, Settings, Shape, Sink, cga};
 use cga_runtime::geometry::mesh::MeshBuilder;
 use common::clock::{fastest, nanoseconds_each};
@@ -57,6 +58,20 @@ cga! {
     grammar Whole;
     attr n = 1000
     Row --> split(x) { ~(scope.sx / n) : Box. }*
+}
+
+cga! {
+    /// Rows of cylinders, and the faces of each: rectangles around two disks.
+    grammar Cylinders;
+    attr n = 1000
+    Row --> split(x) { ~(scope.sx / n) : primitiveCylinder(12) comp(f) { top : Top. | side : Side. | all : Rest. } }*
+}
+
+cga! {
+    /// Rows of spheres, and the faces of each: triangles and trapezoids.
+    grammar Spheres;
+    attr n = 1000
+    Row --> split(x) { ~(scope.sx / n) : primitiveSphere(12, 6) comp(f) { top : Top. | side : Side. | all : Rest. } }*
 }
 
 /// Counts its faces.
@@ -144,7 +159,33 @@ fn works() -> Vec<Work> {
         let row = Shape::cuboid(1000.0, 1.0, 1.0);
         (6000, move || drop(Boxes::default().run(&row, &settings, &mut Count::default()).expect("no error")))
     });
-    vec![ball_work("together", false), ball_work("each", true), boxes]
+    let buffers = Work::new("each, in buffers", || {
+        let (mesh, settings) = (ball(50), Settings::default());
+        let (faces, shape) = (mesh.face_count(), Shape::mesh_axis_aligned(mesh));
+        (faces, move || {
+            let mut sink = Buffers::new();
+            drop(Each::default().run(&shape, &settings, &mut sink).expect("no error"));
+            assert_eq!(sink.triangle_count(), faces);
+        })
+    });
+    let small = |name: &str, each: usize, run: fn(&Shape, &Settings) -> usize| {
+        Work::new(name, move || {
+            let settings = Settings { repeats: Repeats::Direct, ..Settings::default() };
+            let row = Shape::cuboid(1000.0, 1.0, 1.0);
+            (each * 1000, move || assert_eq!(run(&row, &settings), each * 1000))
+        })
+    };
+    let cylinders = small("faces of cylinders", 14, |row, settings| {
+        let mut sink = Count::default();
+        drop(Cylinders::default().run(row, settings, &mut sink).expect("no error"));
+        sink.0
+    });
+    let spheres = small("faces of spheres", 72, |row, settings| {
+        let mut sink = Count::default();
+        drop(Spheres::default().run(row, settings, &mut sink).expect("no error"));
+        sink.0
+    });
+    vec![ball_work("together", false), ball_work("each", true), buffers, boxes, cylinders, spheres]
 }
 
 fn main() {

@@ -4,7 +4,8 @@
 use glam::{DMat3, DVec2, DVec3};
 
 use crate::Frame;
-use crate::mesh::{FaceRef, Mesh, unit};
+use crate::each::Each;
+use crate::mesh::{Mesh, unit};
 use crate::tol::{ANGLE_EPSILON, COPLANAR_EPSILON};
 
 /// The coordinate system of a face, and its bounding box in it.
@@ -33,13 +34,49 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
 /// # Panics
 /// Panics if the face does not exist.
 pub fn face_frame_along(mesh: &Mesh, face: usize, z: DVec3) -> Option<FaceFrame> {
-    let face = mesh.face(face);
-    let outer = face.outer();
-    let at = |i: usize| mesh.points()[outer[i % outer.len()] as usize];
+    let axes = face_axes(mesh, face, z)?;
+    let outer = mesh.face(face).outer();
+    if let Some(size) = axes.rectangle(mesh, face) {
+        return Some(FaceFrame { frame: axes.frame, low: DVec2::ZERO, high: size, rectangle: true });
+    }
+    let [low, high] = spread(outer.iter().map(|&point| axes.frame.to_local(mesh.points()[point as usize])));
+    Some(FaceFrame { frame: axes.frame, low, high, rectangle: false })
+}
+
+/// The coordinate system of a face, without its bounding box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FaceAxes {
+    /// The origin is the start of the first edge with a length, x is along that edge, and z points outwards.
+    pub frame: Frame,
+    /// True for four corners without a hole of which the first two are at different places.
+    may_be_box: bool,
+}
+
+/// The coordinate system of a face whose [normal](crate::mesh::FaceRef::normal) is known; `None` for a face without area.
+///
+/// # Panics
+/// Panics if the face does not exist.
+#[inline(always)]
+pub fn face_axes(mesh: &Mesh, face: usize, z: DVec3) -> Option<FaceAxes> {
+    let loops = mesh.face_loops(face);
+    let outer = &mesh.corners[mesh.loop_range(loops.start)];
     if z == DVec3::ZERO {
         return None;
     }
-    let (first, along) = (0..outer.len()).map(|i| (i, at(i + 1) - at(i))).find(|(_, edge)| *edge != DVec3::ZERO)?;
+    let at = |point: u32| mesh.points()[point as usize];
+    let (mut first, mut start) = (0, at(outer[0]));
+    let along = loop {
+        let next = first + 1;
+        let end = at(outer[if next == outer.len() { 0 } else { next }]);
+        let edge = end - start;
+        if edge != DVec3::ZERO {
+            break edge;
+        }
+        if next == outer.len() {
+            return None;
+        }
+        (first, start) = (next, end);
+    };
     // The edge is in the face except for rounding. Its component along the normal is removed, so that the axes are
     // orthonormal.
     let along = unit(along);
@@ -47,21 +84,48 @@ pub fn face_frame_along(mesh: &Mesh, face: usize, z: DVec3) -> Option<FaceFrame>
     if x == DVec3::ZERO {
         return None;
     }
-    let y = z.cross(x);
-    let frame = Frame { origin: at(first), axes: DMat3::from_cols(x, y, z) };
-    let (mut low, mut high) = (DVec2::ZERO, DVec2::ZERO);
-    for &c in outer {
-        let p = frame.to_local(mesh.points()[c as usize]).truncate();
-        (low, high) = (low.min(p), high.max(p));
-    }
-    let size = high - low;
-    let rectangle = first == 0 && is_rectangle(&face, &frame, size);
-    if rectangle {
+    let frame = Frame { origin: start, axes: DMat3::from_cols(x, z.cross(x), z) };
+    Some(FaceAxes { frame, may_be_box: first == 0 && outer.len() == 4 && loops.len() == 1 })
+}
+
+impl FaceAxes {
+    /// The size of a face that equals its box: four corners from (0, 0) on, right angles, no holes. `None` for other faces.
+    ///
+    /// # Panics
+    /// Panics if the face does not exist.
+    #[inline]
+    pub fn rectangle(&self, mesh: &Mesh, face: usize) -> Option<DVec2> {
+        if !self.may_be_box {
+            return None;
+        }
+        let [a, b, c, d] = mesh.corners[mesh.face_corners(face)] else { return None };
+        let corners = [a, b, c, d].each(|point| mesh.points()[point as usize]);
+        if is_far_from_parallelogram(&corners) {
+            return None;
+        }
+        let corners = corners.each(|corner| self.frame.to_local(corner));
+        let [low, high] = spread(corners.into_iter());
         // Coordinates below zero are rounding errors.
-        low = DVec2::ZERO;
-        high = size;
+        let size = high - low;
+        let near = ANGLE_EPSILON * size.max_element();
+        let expected = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
+        let is_near = |(point, expected): (DVec3, DVec2)| {
+            (point.truncate() - expected).abs().max_element() <= near && point.z.abs() <= near
+        };
+        corners.into_iter().zip(expected).all(is_near).then_some(size)
     }
-    Some(FaceFrame { frame, low, high, rectangle })
+}
+
+/// Returns true if four corners are no parallelogram, much beyond the tolerance for rectangles.
+#[inline]
+fn is_far_from_parallelogram([a, b, c, d]: &[DVec3; 4]) -> bool {
+    let open = (*a - *b) + (*c - *d);
+    1e-6 * (*a - *c).length_squared() < open.length_squared()
+}
+
+/// The smallest and the largest coordinates of points and of the origin.
+fn spread(points: impl Iterator<Item = DVec3>) -> [DVec2; 2] {
+    points.map(DVec3::truncate).fold([DVec2::ZERO; 2], |[low, high], point| [low.min(point), high.max(point)])
 }
 
 /// Object coordinates: the frame of the first face with an area, with x along its first edge with a length and y along
@@ -103,19 +167,6 @@ pub fn along(x: DVec3, looks: DVec3) -> DMat3 {
 /// The x axis for a given z axis: as close as possible to the x axis of the shape, so that it rotates with the shape.
 pub fn beside(z: DVec3) -> DVec3 {
     across(z, DVec3::X, DVec3::NEG_Z)
-}
-
-fn is_rectangle(face: &FaceRef<'_>, frame: &Frame, size: DVec2) -> bool {
-    let range = face.corner_range();
-    if range.len() != 4 {
-        return false;
-    }
-    let near = ANGLE_EPSILON * size.max_element();
-    let expected = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
-    range.zip(expected).all(|(corner, expected)| {
-        let p = frame.to_local(face.position(corner));
-        (p.truncate() - expected).abs().max_element() <= near && p.z.abs() <= near
-    })
 }
 
 #[cfg(test)]

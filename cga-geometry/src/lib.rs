@@ -73,6 +73,7 @@ pub(crate) mod frame;
 pub mod holes;
 pub mod hull;
 pub mod inner_rectangle;
+pub mod level_face;
 pub mod long_sort;
 pub mod mesh;
 pub mod nesting;

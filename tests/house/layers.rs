@@ -134,7 +134,7 @@ const GEOMETRY: &[&[&str]] = &[
     &["triangulate", "overlay", "skeleton"],
     &["mesh"],
     &["provenance", "wire", "derive", "average_normal", "face_frame"],
-    &["solid", "primitive", "extract", "unbent", "extrude", "conform", "cut"],
+    &["solid", "primitive", "extract", "level_face", "unbent", "extrude", "conform", "cut"],
     &["boolean", "cleanup"],
     &[
         "along_uv",

@@ -97,7 +97,7 @@ use values::OldFace;
 const USE: usize = 2;
 
 /// The number of sets of tags that parts of a mesh share with it, whether their faces have these tags or not.
-const FEW_SETS: usize = 8;
+pub(crate) const FEW_SETS: usize = 8;
 
 /// The values of corners that an operation keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

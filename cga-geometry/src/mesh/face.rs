@@ -100,20 +100,7 @@ impl<'a> FaceRef<'a> {
     fn area_vector_of(&self, place: impl Fn(DVec3) -> DVec3) -> DVec3 {
         let at = |point: u32| place(self.mesh.points[point as usize]);
         let corners = &self.mesh.corners[self.corner_range()];
-        // The sum reduces to this for triangles and quadrilaterals, and most faces are one of them.
-        match *corners {
-            [a, b, c] => {
-                let from = at(a);
-                (at(b) - from).cross(at(c) - from)
-            }
-            [a, b, c, d] => {
-                let from = at(a);
-                let across = at(c) - from;
-                // From zero on, as the sum of more corners.
-                DVec3::ZERO + (at(b) - from).cross(across) + across.cross(at(d) - from)
-            }
-            _ => self.area_vector_of_loops(&at),
-        }
+        area_vector_of_few(corners, at).unwrap_or_else(|| self.area_vector_of_loops(&at))
     }
 
     #[inline(always)]
@@ -128,7 +115,7 @@ impl<'a> FaceRef<'a> {
 
     /// The area vector of the face scaled to a size of about 1.
     #[cold]
-    fn area_vector_at_one(&self) -> DVec3 {
+    pub(super) fn area_vector_at_one(&self) -> DVec3 {
         let scale = Bounds::of(self.corner_range().map(|corner| self.position(corner))).scale_to_one();
         self.area_vector_of(|p| p * scale)
     }
@@ -141,5 +128,23 @@ impl<'a> FaceRef<'a> {
     /// The area in square metres, without the holes.
     pub fn area(&self) -> f64 {
         0.5 * self.sum_of_vectors(DVec3::length)
+    }
+}
+
+/// The area vector of a triangle or a quadrilateral. The sum over edges reduces to this, and most faces are one of them.
+#[inline(always)]
+pub(super) fn area_vector_of_few(corners: &[u32], at: impl Fn(u32) -> DVec3) -> Option<DVec3> {
+    match *corners {
+        [a, b, c] => {
+            let from = at(a);
+            Some((at(b) - from).cross(at(c) - from))
+        }
+        [a, b, c, d] => {
+            let from = at(a);
+            let across = at(c) - from;
+            // From zero on, as the sum of more corners.
+            Some(DVec3::ZERO + (at(b) - from).cross(across) + across.cross(at(d) - from))
+        }
+        _ => None,
     }
 }

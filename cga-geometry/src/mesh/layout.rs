@@ -99,6 +99,15 @@ impl Tags {
         }
     }
 
+    /// The tag of a single face, in place of all others.
+    #[inline]
+    pub(crate) fn put_single(&mut self, tag: FaceTag) {
+        match &mut self.runs[..] {
+            [run] => *run = (1, tag),
+            _ => self.runs = SmallVec::from_buf([(1, tag)]),
+        }
+    }
+
     /// Adds a face whose tag differs from the tag of the face before it.
     #[cold]
     #[inline(never)]

@@ -2,10 +2,12 @@
 
 use glam::DVec3;
 
+use super::face::area_vector_of_few;
 use super::pair_table::PairTable;
 use super::{Bounds, FaceRef, Mesh};
 use crate::each::Each;
 use crate::tol::VOLUME_EPSILON;
+use crate::vector::{unit, well_scaled};
 use crate::work;
 
 /// The units of work of counting an edge.
@@ -60,6 +62,20 @@ impl Mesh {
             }
         }
         Some(net.pairs().all(|(_, count)| count == 0))
+    }
+
+    /// The unit normal of each face; zero for a face without area.
+    pub fn face_normals(&self) -> Vec<DVec3> {
+        let Some(ends) = self.loop_ends_of_polygons() else { return self.faces().map(|face| face.normal()).collect() };
+        let mut start = 0;
+        let normal = |(index, &end): (usize, &u32)| {
+            let corners = &self.corners[std::mem::replace(&mut start, end as usize)..end as usize];
+            match area_vector_of_few(corners, |point| self.points[point as usize]) {
+                Some(sum) => unit(well_scaled(sum, || self.face(index).area_vector_at_one())),
+                None => self.face(index).normal(),
+            }
+        };
+        ends.iter().enumerate().map(normal).collect()
     }
 
     /// The normal of each face. `None` if the work is to end.
@@ -140,11 +156,30 @@ mod tests {
     use std::cell::Cell;
     use std::rc::Rc;
 
+    use glam::DVec3;
+
     use crate::Axis;
     use crate::mesh::join::join;
     use crate::mesh::{Derived, Mesh};
     use crate::primitive;
     use crate::work::Supervisor;
+
+    #[test]
+    fn normals_of_all_faces_are_the_normals_of_each() {
+        let square = |low: f64, high: f64| {
+            [[low, low], [high, low], [high, high], [low, high]].map(|[x, z]| DVec3::new(x, 0.0, -z))
+        };
+        let ring = Mesh::from_polygon(&square(0.0, 9.0), &[square(3.0, 6.0).to_vec()]).expect("a ring");
+        let tiny = primitive::sphere(9, 7)
+            .with_points(primitive::sphere(9, 7).points.iter().map(|point| *point * 1e-200).collect());
+        for mesh in [primitive::sphere(9, 7), primitive::cylinder(5), primitive::disk(3, Axis::Y), ring, tiny] {
+            let bits = |normal: DVec3| normal.to_array().map(f64::to_bits);
+            let all: Vec<_> = mesh.face_normals().into_iter().map(bits).collect();
+            let each: Vec<_> = mesh.faces().map(|face| bits(face.normal())).collect();
+            assert_eq!(all, each);
+            assert!(mesh.faces().all(|face| face.normal().is_normalized()));
+        }
+    }
 
     #[test]
     fn a_count_that_has_ended_early_is_not_kept() {

@@ -157,6 +157,22 @@ pub(crate) struct Derived {
 }
 
 impl Derived {
+    /// The properties of a mesh of which the bounds are known.
+    pub(crate) fn bounded(bounds: Bounds) -> Self {
+        Derived { bounds: OnceLock::from(bounds), ..Derived::default() }
+    }
+
+    /// Forgets all properties of a mesh that has become another one, of which the bounds are known.
+    pub(crate) fn reset(&mut self, bounds: Bounds) {
+        match self.bounds.get_mut() {
+            Some(known) => *known = bounds,
+            None => self.bounds = OnceLock::from(bounds),
+        }
+        self.closed.take();
+        self.adjacency.take();
+        self.variants.forget();
+    }
+
     /// The properties of the same faces with other points.
     fn of_moved(&self) -> Self {
         Derived { bounds: OnceLock::new(), ..self.clone() }
@@ -329,6 +345,14 @@ impl Mesh {
         }
     }
 
+    /// Returns true if the mesh shares the names, materials and tag sets of another one, and has the same texture sets, as after [`Mesh::alike`].
+    pub(crate) fn is_alike(&self, other: &Mesh) -> bool {
+        self.groups.is(&other.groups)
+            && self.tag_sets.is(&other.tag_sets)
+            && self.materials.is_same_list(&other.materials)
+            && self.uvs.is_alike(&other.uvs)
+    }
+
     /// The same mesh, which is known to be closed or not.
     pub(crate) fn known_closed(self, closed: bool) -> Mesh {
         let _ = self.derived.closed.set(closed);
@@ -340,6 +364,11 @@ impl Mesh {
     pub(crate) fn loop_range(&self, index: usize) -> Range<usize> {
         let start = if index == 0 { 0 } else { self.loop_ends[index - 1] };
         start as usize..self.loop_ends[index] as usize
+    }
+
+    /// The end of each face in `corners`, if each face has one loop.
+    pub(crate) fn loop_ends_of_polygons(&self) -> Option<&[u32]> {
+        (self.face_ends.len() == self.loop_ends.len()).then_some(&self.loop_ends)
     }
 
     /// The loops of a face.

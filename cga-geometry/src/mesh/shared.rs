@@ -20,6 +20,16 @@ impl<T> Clone for SharedList<T> {
     }
 }
 
+impl<T> SharedList<T> {
+    /// Returns true if both are one list in memory, or both are empty.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        match (&self.0, &other.0) {
+            (Some(one), Some(other)) => Arc::ptr_eq(one, other),
+            (one, other) => one.is_none() && other.is_none(),
+        }
+    }
+}
+
 impl<T> Deref for SharedList<T> {
     type Target = [T];
 

@@ -100,6 +100,16 @@ impl UvSets {
         UvSets { lists: self.lists.iter().map(room).collect() }
     }
 
+    /// Returns true if the sets may have other corners of the same source.
+    pub(crate) fn is_alike(&self, other: &UvSets) -> bool {
+        self.lists.len() == other.lists.len()
+    }
+
+    /// Removes all corners.
+    pub(crate) fn clear(&mut self) {
+        self.lists.iter_mut().for_each(Vec::clear);
+    }
+
     /// Adds to each set the result of `value` for the source's list.
     #[inline]
     pub(crate) fn push(&mut self, source: &UvSets, mut value: impl FnMut(&[DVec2]) -> DVec2) {

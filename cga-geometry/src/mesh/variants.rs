@@ -27,6 +27,13 @@ impl Clone for Variants {
     }
 }
 
+impl Variants {
+    /// Forgets all forms.
+    pub(crate) fn forget(&mut self) {
+        self.0.iter_mut().for_each(|form| _ = form.take());
+    }
+}
+
 impl Mesh {
     /// A form of the mesh. If it was not made before, it is made now; `None` makes the mesh itself. A form that was made while the work is to
     /// end is not kept, as others may hold this mesh.

@@ -6,17 +6,17 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::Components;
 use super::found_tags::TagQueries;
 use super::roof::RoofMesh;
 use super::select::{RoofEdge, Sense, Subcomponent, Word};
 use super::uv_edges::UvEdges;
+use super::{Arm, Components, Select};
 use crate::comp::orientation::Orientation;
 use crate::geometry::Frame;
 use crate::geometry::derive::{CornerValues, Derivation, FaceOrigin};
 use crate::geometry::each::Each;
 use crate::geometry::extract::extract;
-use crate::geometry::face_frame::{FaceFrame, along, beside, face_frame, face_frame_along, upright};
+use crate::geometry::face_frame::{FaceAxes, along, beside, face_axes, face_frame, upright};
 use crate::geometry::mesh::{Adjacency, FaceTag, Mesh, flip, unit};
 use crate::geometry::provenance::Provenance;
 use crate::geometry::small_sort::SmallSort;
@@ -27,7 +27,7 @@ use crate::geometry::wire::Wire;
 #[derive(Debug)]
 pub(super) struct MeshParts {
     pub(super) mesh: Arc<Mesh>,
-    kind: Components,
+    pub(super) kind: Components,
     /// True if rectangles are held as meshes.
     as_meshes: bool,
     /// The normals of the faces; zero for faces without area.
@@ -47,7 +47,7 @@ pub(super) struct MeshParts {
 
 impl MeshParts {
     pub(super) fn new(mesh: Arc<Mesh>, kind: Components, as_meshes: bool) -> Self {
-        let normals = mesh.faces().map(|face| face.normal()).collect();
+        let normals = mesh.face_normals();
         let sets = match kind {
             Components::Groups => sets(&mesh, mesh.groups().len(), |tag| tag.group),
             Components::Materials => sets(&mesh, mesh.material_list().len(), |tag| tag.material),
@@ -185,27 +185,46 @@ impl MeshParts {
     #[inline]
     fn is_of_kind(&self, kind: Components, looks: &Orientation, index: usize, sense: Sense) -> bool {
         let normal = self.normal(kind, index);
-        normal != DVec3::ZERO
-            && match sense {
-                Sense::All => true,
-                Sense::Shape | Sense::Remainder => false,
-                Sense::Looks(axes, direction) => {
-                    // Edges and vertices of a face look out of it within its plane, independently of its normal.
-                    let within = matches!(kind, Components::FaceEdges | Components::FaceVertices);
-                    let normal = if within { normal } else { looks.outwards(normal) };
-                    looks.takes(axes, direction, normal, || self.place(kind, index))
-                }
-                Sense::Uv(side) => {
-                    let uvs = self.uvs.get_or_init(|| UvEdges::of(&self.mesh, self.uv_set));
-                    let face = || self.adjacency().face(index as u32) as usize;
-                    kind == Components::FaceEdges && uvs.takes(&self.mesh, face(), self.end_corners(index), side)
-                }
-                Sense::Border(border) => self.at_border(kind, index) == border,
-                Sense::Roof(edge) => {
-                    let roof = || RoofMesh::new(&self.mesh, &self.normals, looks.inwards);
-                    kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(edge)
-                }
+        normal != DVec3::ZERO && self.matches(kind, looks, index, normal, sense)
+    }
+
+    /// The first arm that takes a face. Arms have no conditions.
+    #[inline]
+    pub(super) fn arm_of_face(&self, looks: &Orientation, face: usize, arms: &[Arm]) -> Option<usize> {
+        let normal = self.normals[face];
+        if normal == DVec3::ZERO {
+            return None;
+        }
+        arms.iter().position(|arm| match arm.select {
+            Select::Word(word) => self.matches(Components::Faces, looks, face, normal, word.0),
+            Select::Index(number) => number == face as f64,
+            Select::When => false,
+        })
+    }
+
+    /// Returns true if a word matches a component with a direction.
+    #[inline(always)]
+    fn matches(&self, kind: Components, looks: &Orientation, index: usize, normal: DVec3, sense: Sense) -> bool {
+        match sense {
+            Sense::All => true,
+            Sense::Shape | Sense::Remainder => false,
+            Sense::Looks(axes, direction) => {
+                // Edges and vertices of a face look out of it within its plane, independently of its normal.
+                let within = matches!(kind, Components::FaceEdges | Components::FaceVertices);
+                let normal = if within { normal } else { looks.outwards(normal) };
+                looks.takes(axes, direction, normal, || self.place(kind, index))
             }
+            Sense::Uv(side) => {
+                let uvs = self.uvs.get_or_init(|| UvEdges::of(&self.mesh, self.uv_set));
+                let face = || self.adjacency().face(index as u32) as usize;
+                kind == Components::FaceEdges && uvs.takes(&self.mesh, face(), self.end_corners(index), side)
+            }
+            Sense::Border(border) => self.at_border(kind, index) == border,
+            Sense::Roof(edge) => {
+                let roof = || RoofMesh::new(&self.mesh, &self.normals, looks.inwards);
+                kind == Components::Edges && self.roof.get_or_init(roof).edge(index) == Some(edge)
+            }
+        }
     }
 
     /// Returns true if a tag of a component matches. Faces pass their tags on to their edges and vertices, and edges to
@@ -274,11 +293,11 @@ impl MeshParts {
         })
     }
 
-    /// The frame of a face, and its box. `None` for other components, and for a face without area.
-    #[inline]
-    pub(super) fn face_frame(&self, index: usize) -> Option<FaceFrame> {
+    /// The coordinate system of a face. `None` for other components, and for a face without area.
+    #[inline(always)]
+    pub(super) fn face_axes(&self, index: usize) -> Option<FaceAxes> {
         match self.kind {
-            Components::Faces => face_frame_along(&self.mesh, index, self.normals[index]),
+            Components::Faces => face_axes(&self.mesh, index, self.normals[index]),
             _ => None,
         }
     }
@@ -308,7 +327,7 @@ impl MeshParts {
     /// the shape, and for degenerate components.
     pub(super) fn frame(&self, index: usize, as_roof: bool) -> Option<Frame> {
         let (x, origin) = match self.kind {
-            Components::Faces => return self.face_frame(index).map(|found| found.frame),
+            Components::Faces => return self.face_axes(index).map(|found| found.frame),
             Components::Groups | Components::Materials => return None,
             Components::Holes => return face_frame(&self.filled(&[index as u32]), 0).map(|found| found.frame),
             Components::Edges | Components::FaceEdges => {

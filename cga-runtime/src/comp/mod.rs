@@ -12,6 +12,7 @@ mod points;
 mod roof;
 mod sections;
 pub(crate) mod select;
+mod single_faces;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -240,10 +241,8 @@ impl<'s> AssignedComponents<'s> {
         let parent = shape;
         let looks = Orientation::of(env, parent);
         let mut as_roof = Vec::new();
-        let owners = ArmOwners::choose(source.len(), |number| {
-            if SIDES <= number && !work::spend(COMPONENT) {
-                return None;
-            }
+        let may_end = |number: usize| SIDES <= number && !work::spend(COMPONENT);
+        let mut arm_of = |number: usize| {
             let mut candidate = Candidate::new(&source, &looks, parent, number);
             let arm = arms.iter().enumerate().position(|(arm, Arm { select, .. })| {
                 candidate.as_roof = false;
@@ -260,8 +259,19 @@ impl<'s> AssignedComponents<'s> {
                 as_roof.resize(arms.len(), false);
                 as_roof[arm] = true;
             }
-            arm.map(|arm| arm as u16)
-        });
+            arm
+        };
+        let count = source.len();
+        let arm = |arm: usize| arm as u16;
+        let owners = match &source {
+            ComponentSource::Mesh(parts)
+                if parts.kind == Components::Faces && arms.iter().all(|arm| arm.select != Select::When) =>
+            {
+                let arm_of = |number| parts.arm_of_face(&looks, number, arms);
+                ArmOwners::choose(count, |number| if may_end(number) { None } else { arm_of(number).map(arm) })
+            }
+            _ => ArmOwners::choose(count, |number| if may_end(number) { None } else { arm_of(number).map(arm) }),
+        };
         let trims = match &source {
             // *comp operation*: only faces, and only with `:`.
             ComponentSource::Mesh(parts)
@@ -277,28 +287,32 @@ impl<'s> AssignedComponents<'s> {
     /// Calls `visit` with every part: its arm, the numbers of its components, and its shape.
     #[inline]
     fn each(&self, mut visit: impl FnMut(u32, &[u32], Shape) -> Flow) -> Flow {
-        for (number, arm) in self.arms.iter().enumerate() {
-            let mine = || self.owners.of(number as u16);
-            match arm.mode {
-                Mode::Each => {
-                    let total = mine().count();
-                    for (index, component) in mine().enumerate() {
-                        let counter = Counter::new(index, total);
-                        visit(number as u32, &[component], self.part(number, counter, &[component]))?;
-                    }
+        (0..self.arms.len()).try_for_each(|number| self.each_of(number, &mut visit))
+    }
+
+    /// The same for the parts of an arm.
+    #[inline]
+    fn each_of(&self, number: usize, mut visit: impl FnMut(u32, &[u32], Shape) -> Flow) -> Flow {
+        let mine = || self.owners.of(number as u16);
+        match self.arms[number].mode {
+            Mode::Each => {
+                let total = mine().count();
+                for (index, component) in mine().enumerate() {
+                    let counter = Counter::new(index, total);
+                    visit(number as u32, &[component], self.part(number, counter, &[component]))?;
                 }
-                Mode::Together => {
-                    let all: Vec<u32> = mine().collect();
-                    if !all.is_empty() {
-                        visit(number as u32, &all, self.part(number, Counter::new(0, 1), &all))?;
-                    }
+            }
+            Mode::Together => {
+                let all: Vec<u32> = mine().collect();
+                if !all.is_empty() {
+                    visit(number as u32, &all, self.part(number, Counter::new(0, 1), &all))?;
                 }
-                Mode::Connected => {
-                    let sets = owners::connected(&self.source, mine());
-                    for (index, set) in sets.iter().enumerate() {
-                        let counter = Counter::new(index, sets.len());
-                        visit(number as u32, set, self.part(number, counter, set))?;
-                    }
+            }
+            Mode::Connected => {
+                let sets = owners::connected(&self.source, mine());
+                for (index, set) in sets.iter().enumerate() {
+                    let counter = Counter::new(index, sets.len());
+                    visit(number as u32, set, self.part(number, counter, set))?;
                 }
             }
         }
@@ -312,11 +326,21 @@ impl<'s> AssignedComponents<'s> {
         cx: &mut Cx<'_, C>,
         visit: &mut dyn FnMut(&mut Cx<'_, C>, u32, &ShapeRef<'_>) -> Flow,
     ) -> Flow {
-        self.each(|arm, _, mut part| {
-            cx.env.begin_part(&mut part);
-            let base = cx.env.base(part);
-            visit(cx, arm, &base.shape())
-        })
+        let mut last = None;
+        for number in 0..self.arms.len() {
+            if let Some(parts) = self.faces_of(number)
+                && cx.env.recompositions.is_empty()
+            {
+                self.each_face(parts, number, &mut last, cx, visit)?;
+                continue;
+            }
+            self.each_of(number, |arm, _, mut part| {
+                cx.env.begin_part(&mut part);
+                let base = cx.env.base(part);
+                visit(cx, arm, &base.shape())
+            })?;
+        }
+        Flow::Continue(())
     }
 
     /// The geometry that no arm takes. Edges, vertices and holes take none.
@@ -372,11 +396,16 @@ impl<'s> AssignedComponents<'s> {
         }
         let as_roof = self.as_roof.get(number) == Some(&true);
         let ComponentPart { scope, pivot, geometry } = self.source.part(parent, self.align, components, as_roof);
-        let own = match &self.trims {
-            Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), components[0]),
+        self.shape(arm, comp, components[0], scope, pivot, geometry, self.own_trims(arm, components[0]))
+    }
+
+    /// The trim planes of a part itself.
+    #[inline]
+    fn own_trims(&self, arm: &Arm, component: u32) -> Trims {
+        match &self.trims {
+            Some(surface) if arm.mode == Mode::Each => Trims::Face(surface.clone(), component),
             _ => Trims::None,
-        };
-        self.shape(arm, comp, components[0], scope, pivot, geometry, own)
+        }
     }
 
     #[allow(clippy::too_many_arguments, reason = "they are what a shape is made of")]

@@ -42,6 +42,9 @@ impl Orientation {
     /// coordinates, is computed only for streets.
     #[inline]
     pub(crate) fn takes(&self, axes: AxesOf, direction: Direction, normal: DVec3, at: impl FnOnce() -> DVec3) -> bool {
+        if axes == AxesOf::Scope {
+            return direction.takes(normal);
+        }
         self.takes_at(axes, direction, normal, || self.scope.frame().to_world(at()))
     }
 

@@ -7,7 +7,8 @@ use glam::DVec3;
 use super::mesh_parts::MeshParts;
 use super::source::ComponentSource;
 use super::{Align, Components};
-use crate::geometry::mesh::{Bounds, Mesh};
+use crate::geometry::face_frame::FaceAxes;
+use crate::geometry::level_face::{LevelFaces, levelled};
 use crate::geometry::tol::PLANAR_EPSILON;
 use crate::geometry::wire::Wire;
 use crate::geometry::{Axis, Frame};
@@ -23,6 +24,16 @@ pub(super) struct ComponentPart {
     pub(super) geometry: Geometry,
 }
 
+impl ComponentPart {
+    /// Replaces the scope, the pivot and the geometry of a shape.
+    #[inline(always)]
+    pub(super) fn put_into(self, shape: &mut Shape) {
+        shape.scope = self.scope;
+        shape.pivot = self.pivot;
+        shape.geometry = self.geometry;
+    }
+}
+
 impl ComponentSource {
     /// The part of the components with those numbers, aligned to the first. Edges may be edges of a roof (*comp
     /// operation*).
@@ -36,23 +47,14 @@ impl ComponentSource {
             // These are used unchanged, unless a condition needs their shapes.
             ComponentSource::Quads(_) => self.kept(parent, numbers, as_roof),
             ComponentSource::Mesh(parts) => {
-                let face = parts.face_frame(first);
-                if let ([_], Some(found)) = (numbers, face.as_ref().filter(|found| found.rectangle))
-                    && let Some(provenance) = parts.provenance(first)
-                {
-                    let pivot = in_world(&parent.scope, &found.frame);
-                    let size = (found.high - found.low).extend(0.0);
-                    let scope = Scope { origin: pivot.origin, axes: pivot.axes, size };
-                    return ComponentPart {
-                        scope,
-                        pivot,
-                        geometry: Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance)),
-                    };
+                let axes = parts.face_axes(first);
+                if let ([_], Some(axes)) = (numbers, axes) {
+                    return parts.face_part(&LevelFaces::of(&parts.mesh), &parent.scope, first, &axes, &mut None);
                 }
-                match face.map(|found| found.frame).or_else(|| parts.frame(first, as_roof)) {
+                match axes.map(|found| found.frame).or_else(|| parts.frame(first, as_roof)) {
                     None => self.kept(parent, numbers, as_roof),
                     Some(frame) => match parts.surface(numbers, &frame) {
-                        Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(levelled(mesh))),
+                        Some(mesh) => surface(in_world(&parent.scope, &frame), Placed::fitted(levelled(mesh)).into()),
                         None => wire(in_world(&parent.scope, &frame), parts.wire(numbers, as_roof).seen_from(&frame)),
                     },
                 }
@@ -74,7 +76,7 @@ impl ComponentSource {
                 return ComponentSource::Mesh(Box::new(parts)).kept(parent, numbers, as_roof);
             }
             ComponentSource::Mesh(parts) => match parts.surface(numbers, &Frame::WORLD) {
-                Some(mesh) => surface(here, Placed::fitted(mesh)),
+                Some(mesh) => surface(here, Placed::fitted(mesh).into()),
                 None => wire(here, parts.wire(numbers, as_roof)),
             },
             ComponentSource::Wire(parts) => wire(here, parts.wire(numbers)),
@@ -83,23 +85,48 @@ impl ComponentSource {
     }
 }
 
-/// Moves a mesh that is in the xy plane except for rounding, as a triangle always is, into it: a face has a z size of
-/// zero.
-fn levelled(mut mesh: Mesh) -> Mesh {
-    let is_level = || {
-        let size = Bounds::of(mesh.points().iter().copied()).size();
-        size.z <= PLANAR_EPSILON * size.max_element()
-    };
-    if mesh.corners().len() == 3 || is_level() {
-        mesh.change_points(|point| point.z = 0.0);
+impl MeshParts {
+    /// The part of a single face with an area, in the scope of the shape. The mesh of another face may be replaced, if nothing else has it.
+    #[inline(always)]
+    pub(super) fn face_part(
+        &self,
+        faces: &LevelFaces<'_>,
+        scope: &Scope,
+        face: usize,
+        axes: &FaceAxes,
+        last: &mut Option<Arc<Placed>>,
+    ) -> ComponentPart {
+        let pivot = in_world(scope, &axes.frame);
+        if let Some(size) = axes.rectangle(&self.mesh, face)
+            && let Some(provenance) = self.provenance(face)
+        {
+            let scope = Scope { origin: pivot.origin, axes: pivot.axes, size: size.extend(0.0) };
+            let geometry = Geometry::Rect(Axis::Z, UnitMesh::face(Axis::Z, provenance));
+            return ComponentPart { scope, pivot, geometry };
+        }
+        surface(pivot, placed_face(faces, face, &axes.frame, last.take()))
     }
-    mesh
+}
+
+/// The mesh of a face, in the place of another one if nothing else has that.
+#[inline(always)]
+fn placed_face(faces: &LevelFaces<'_>, face: usize, frame: &Frame, last: Option<Arc<Placed>>) -> Arc<Placed> {
+    if let Some(mut last) = last
+        && let Some(placed) = Arc::get_mut(&mut last)
+        && let Some(mesh) = Arc::get_mut(&mut placed.mesh)
+        && let Some(bounds) = faces.put(mesh, face, frame)
+    {
+        placed.fit(bounds);
+        return last;
+    }
+    Arc::new(Placed::fitted(faces.make(face, frame)))
 }
 
 /// A mesh in the coordinates of a pivot.
-fn surface(pivot: Frame, placed: Placed) -> ComponentPart {
+#[inline(always)]
+fn surface(pivot: Frame, placed: Arc<Placed>) -> ComponentPart {
     let scope = Scope { origin: pivot.to_world(placed.low), axes: pivot.axes, size: placed.size };
-    ComponentPart { scope, pivot, geometry: Geometry::Mesh(Arc::new(placed)) }
+    ComponentPart { scope, pivot, geometry: Geometry::Mesh(placed) }
 }
 
 /// Edges or points in the coordinates of a pivot.
@@ -130,6 +157,7 @@ fn is_along_x(end: DVec3) -> bool {
     end.y.abs() <= near && end.z.abs() <= near
 }
 
+#[inline(always)]
 fn in_world(scope: &Scope, local: &Frame) -> Frame {
     Frame { origin: scope.frame().to_world(local.origin), axes: scope.axes * local.axes }
 }

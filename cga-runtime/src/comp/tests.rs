@@ -15,6 +15,7 @@ use crate::shape::{Geometry, Shape};
 
 mod kept;
 mod roofs;
+mod single_faces;
 
 const KINDS: [Components; 8] = [
     Components::Faces,

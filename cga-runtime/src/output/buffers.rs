@@ -438,19 +438,20 @@ impl Sink for Buffers {
         }
         self.last = None;
         let numbers = self.numbers.leaf(leaf);
-        let mut flattener = std::mem::take(&mut self.flattener);
         if corners != 0 && has_one_material(mesh) {
             let start = self.triangles.vertices.len();
             self.run(numbers.0, numbers.1);
-            flattener.whole(mesh, |flat| self.triangles.mesh(flat, mesh, placement, self.origin.truncate()));
+            let Buffers { flattener, triangles, origin, .. } = self;
+            flattener.whole(mesh, |flat| triangles.mesh(flat, mesh, placement, origin.truncate()));
             self.uvs.mesh(mesh, start);
         } else {
+            let mut flattener = std::mem::take(&mut self.flattener);
             flattener.faces(mesh, placement, |face| {
                 self.face(&face, numbers, face.corners.clone(), face.triangles);
                 true
             });
+            self.flattener = flattener;
         }
-        self.flattener = flattener;
         self.pad_uvs();
         ControlFlow::Continue(())
     }

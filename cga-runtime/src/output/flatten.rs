@@ -27,6 +27,9 @@ pub(crate) struct Flattener {
     kept: usize,
 }
 
+/// The number of corners up to which a mesh is cut into triangles as fast as it is found.
+const FEW: usize = 4;
+
 /// The number of meshes that are remembered.
 const SEEN: usize = 64;
 
@@ -86,6 +89,10 @@ impl Flattener {
 
     /// The triangles of a mesh that comes again. At its second sight they are kept: most meshes come once.
     fn known(&mut self, mesh: &Arc<Mesh>) -> Option<Arc<FlatMesh>> {
+        // A mesh that is remembered keeps its memory, so the faces of a component split could not share it.
+        if mesh.corners().len() <= FEW {
+            return None;
+        }
         let address = Arc::as_ptr(mesh).addr();
         if let Some((_, flat)) = self.flat.get(&address) {
             return Some(flat.clone());

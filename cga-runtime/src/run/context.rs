@@ -15,7 +15,8 @@ use crate::run::env::{Env, Trail};
 use crate::run::sink::{Filled, Flow, Leaf, Sink};
 use crate::run::template::{Tape, Templates};
 use crate::shape::base::Form;
-use crate::shape::{Geometry, Inserted, Shape, ShapeRef, filled_scope};
+use crate::shape::scope::Scope;
+use crate::shape::{Geometry, Inserted, Placed, Shape, ShapeRef, filled_scope};
 use crate::value::text::Text;
 
 /// The stack that direct calls may use, in the units of generated code: about a kilobyte each in a build without
@@ -276,6 +277,12 @@ fn box_with_sides(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule
 fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u32) -> Flow {
     env.ask()?;
     env.shapes += 1;
+    if shape.form == Form::Other
+        && let Geometry::Mesh(placed) = &shape.base.shape.geometry
+        && env.leaf_tables.look(shape).coordinates.is_empty()
+    {
+        return mesh_leaf(env, sink, shape, placed, rule);
+    }
     let mut shape = env.whole(shape);
     if let Some(flow) = sink.keep(&|| shape.clone()) {
         return flow;
@@ -296,13 +303,35 @@ fn other_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, rule: u3
         Geometry::Box(unit) => sink.cuboid(&leaf, &filled_scope::cuboid(&shape.scope, *unit)),
         Geometry::Empty => Flow::Continue(()),
         Geometry::Vertex | Geometry::Edge | Geometry::Wire(_) => sink.placement(&leaf),
-        Geometry::Mesh(placed) => {
-            let placement = shape.scope.placement() * placed.to_scope(shape.scope.size);
-            if placed.inserted == Inserted::Asset {
-                sink.instance(&leaf, &placed.mesh, &placement)
-            } else {
-                sink.mesh(&leaf, &placed.mesh, &placement)
-            }
-        }
+        Geometry::Mesh(placed) => pass_mesh(sink, &leaf, placed, &shape.scope),
+    }
+}
+
+/// A leaf that is a mesh without implicit texture coordinates. Its shape need not be copied.
+fn mesh_leaf(env: &mut Env, sink: &mut dyn Sink, shape: &ShapeRef<'_>, placed: &Placed, rule: u32) -> Flow {
+    let is_read = env.reads(&placed.mesh);
+    let whole = || {
+        let whole = env.leaf_tables.whole(shape);
+        if is_read { whole } else { Shape { geometry: Geometry::Empty, ..whole } }
+    };
+    if let Some(flow) = sink.keep(&whole) {
+        return flow;
+    }
+    if !is_read {
+        return Flow::Continue(());
+    }
+    env.leaves += 1;
+    env.count_leaf(0, placed.mesh.uv_numbers().count() as u64)?;
+    let rule = env.leaf_tables.names.get(rule as usize).unwrap_or(Text::EMPTY);
+    let scope = shape.scope();
+    pass_mesh(sink, &Leaf::new(rule, &env.leaf_tables.look(shape).material, &scope), placed, &scope)
+}
+
+/// Passes a mesh in a scope to the sink.
+fn pass_mesh(sink: &mut dyn Sink, leaf: &Leaf<'_>, placed: &Placed, scope: &Scope) -> Flow {
+    let placement = scope.placement() * placed.to_scope(scope.size);
+    match placed.inserted {
+        Inserted::Asset => sink.instance(leaf, &placed.mesh, &placement),
+        Inserted::No | Inserted::Plain => sink.mesh(leaf, &placed.mesh, &placement),
     }
 }

@@ -1,9 +1,11 @@
 //! The rarely changed part of shapes, and the conversion between slim and whole shapes.
 
+use std::sync::Arc;
+
 use glam::{DMat3, DVec3};
 
 use super::axes::Axes;
-use super::{Counter, Geometry, Shape, ShapeRef};
+use super::{Counter, Geometry, Placed, Shape, ShapeRef};
 use crate::geometry::Axis;
 use crate::geometry::uv_map::{SetMap, UvMap};
 use crate::shape::look::Look;
@@ -80,6 +82,26 @@ impl Base {
             state,
         };
         Base { constant: part.base.constant, ..Base::new(shape, look) }
+    }
+
+    /// Changes the shape of the base, which keeps its look.
+    #[inline(always)]
+    pub(crate) fn change(&mut self, change: impl FnOnce(&mut Shape)) {
+        change(&mut self.shape);
+        self.axes = Axes::new(self.shape.scope.axes);
+        // Rectangles alone grow.
+        if matches!(self.shape.geometry, Geometry::Rect(..)) {
+            self.raised = self.axes.raised();
+        }
+        self.maps = KeptMaps::default();
+        if self.shape.state.has_texture_space() {
+            self.constant = constant(&self.shape);
+        }
+    }
+
+    /// The mesh of the shape, if it is one.
+    pub(crate) fn into_mesh(self) -> Option<Arc<Placed>> {
+        if let Geometry::Mesh(placed) = self.shape.geometry { Some(placed) } else { None }
     }
 
     #[inline]

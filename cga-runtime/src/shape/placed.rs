@@ -34,10 +34,17 @@ pub(crate) struct Placed {
 impl Placed {
     /// A mesh in scope coordinates, with its bounding box.
     pub(crate) fn fitted(mesh: impl Into<Arc<Mesh>>) -> Self {
-        let mesh = mesh.into();
-        let bounds = mesh.bounds();
-        let low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
-        Placed { low, size: bounds.size(), mesh, inserted: Inserted::No, mirrored: false }
+        let (low, size) = (DVec3::ZERO, DVec3::ZERO);
+        let mut placed = Placed { mesh: mesh.into(), low, size, inserted: Inserted::No, mirrored: false };
+        placed.fit(placed.mesh.bounds());
+        placed
+    }
+
+    /// Fits the box to a mesh with these bounds.
+    #[inline]
+    pub(crate) fn fit(&mut self, bounds: Bounds) {
+        self.low = if bounds.low.is_finite() { bounds.low } else { DVec3::ZERO };
+        self.size = bounds.size();
     }
 
     /// The same, after rounding errors along an axis are removed.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Env;
-use crate::geometry::mesh::Bounds;
+use crate::geometry::mesh::{Bounds, Mesh};
 use crate::run::sink::Flow;
 use crate::shape::base::Base;
 use crate::shape::look::Look;
@@ -21,14 +21,19 @@ impl Env {
     #[inline(never)]
     pub fn whole(&mut self, shape: &ShapeRef<'_>) -> Shape {
         let mut whole = self.leaf_tables.whole(shape);
-        if let Geometry::Mesh(placed) = &whole.geometry {
-            let flow: Flow = self.spend(READING * placed.mesh.corners().len());
-            if flow.is_break() || self.ended() {
-                // The next step that counts ends the run. Steps before it have nothing to do.
-                whole.geometry = Geometry::Empty;
-            }
+        if let Geometry::Mesh(placed) = &whole.geometry
+            && !self.reads(&placed.mesh)
+        {
+            // The next step that counts ends the run. Steps before it have nothing to do.
+            whole.geometry = Geometry::Empty;
         }
         whole
+    }
+
+    /// Counts the vertices of a mesh that is read. Returns false if the run has ended.
+    pub(crate) fn reads(&mut self, mesh: &Mesh) -> bool {
+        let flow: Flow = self.spend(READING * mesh.corners().len());
+        flow.is_continue() && !self.ended()
     }
 
     /// The base of a whole shape, for slim shapes.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::shape::look::Look;
 use crate::shape::look_table::LookTable;
 use crate::shape::{Shape, ShapeRef};
 use crate::value::text::Text;
@@ -14,6 +15,12 @@ pub(crate) struct LeafTables {
 }
 
 impl LeafTables {
+    /// The look of a shape.
+    #[inline]
+    pub(crate) fn look<'a>(&'a self, shape: &ShapeRef<'a>) -> &'a Arc<Look> {
+        self.looks.get(shape.look.get()).unwrap_or(shape.base.shape.state.look())
+    }
+
     /// The whole form of a shape.
     pub(crate) fn whole(&self, shape: &ShapeRef<'_>) -> Shape {
         let base = &shape.base.shape;
