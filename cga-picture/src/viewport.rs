@@ -5,6 +5,22 @@ use glam::DVec3;
 
 use crate::camera::{Camera, Projection};
 
+/// The pixels from the middle of the picture to the limits within which triangles are drawn; the picture is far smaller.
+pub(crate) const FAR: f64 = 2e5;
+
+/// The four limits of what is drawn.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Guard {
+    Left,
+    Right,
+    Bottom,
+    Top,
+}
+
+impl Guard {
+    pub(crate) const ALL: [Guard; 4] = [Guard::Left, Guard::Right, Guard::Bottom, Guard::Top];
+}
+
 /// The unit vector in a direction, in degrees; see [`Camera::azimuth`] and [`Camera::elevation`].
 pub fn direction(azimuth: f64, elevation: f64) -> DVec3 {
     let (a, e) = (azimuth.to_radians(), elevation.to_radians());
@@ -20,12 +36,14 @@ pub struct Viewport {
     up: DVec3,
     forward: DVec3,
     perspective: bool,
+    /// The nearest depth that is drawn, in metres.
+    pub(crate) near: f64,
     /// Pixels per unit of tangent (perspective) or of length.
     scale: f64,
     centre: (f64, f64),
 }
 
-/// The nearest visible distance, as a fraction of the distance to the middle of the model.
+/// The nearest visible distance, as a fraction of the distance to the middle of the camera's bounds.
 const NEAR: f64 = 1e-3;
 
 /// The place from which points have the same largest tangent on both sides. Each point has a position across the view and
@@ -106,7 +124,9 @@ impl Viewport {
         };
         let eye = right * at.x + up * at.y + forward * at.z;
         let perspective = matches!(camera.projection, Projection::Perspective(_));
-        Viewport { eye, right, up, forward, perspective, scale, centre: (0.5 * w, 0.5 * h) }
+        let middle = bounds.low.midpoint(bounds.high);
+        let near = if perspective { NEAR * (middle - eye).dot(forward).abs().max(1e-9) } else { f64::NEG_INFINITY };
+        Viewport { eye, right, up, forward, perspective, near, scale, centre: (0.5 * w, 0.5 * h) }
     }
 
     /// The unit vector along the view, away from the camera.
@@ -120,9 +140,18 @@ impl Viewport {
         (point - self.eye).dot(self.forward)
     }
 
-    /// The nearest depth that can be projected.
-    pub(crate) fn near(&self, middle: DVec3) -> f64 {
-        if self.perspective { NEAR * self.depth(middle).abs().max(1e-9) } else { f64::NEG_INFINITY }
+    /// A number that is positive on the inner side of a limit, for points in front of the eye. Pixel coordinates beyond the limits are
+    /// too large for exact rasterization.
+    pub(crate) fn guard(&self, point: DVec3, guard: Guard) -> f64 {
+        let d = point - self.eye;
+        let reach = if self.perspective { FAR * d.dot(self.forward) } else { FAR };
+        let along = |axis: DVec3| self.scale * d.dot(axis);
+        match guard {
+            Guard::Left => reach + along(self.right),
+            Guard::Right => reach - along(self.right),
+            Guard::Bottom => reach + along(self.up),
+            Guard::Top => reach - along(self.up),
+        }
     }
 
     /// The pixel coordinates of a point, from the upper left corner, and its nearness.

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use crate::raster;
 use crate::scene::{PLAIN, Scene};
-use crate::viewport::Viewport;
+use crate::viewport::{FAR, Guard, Viewport};
 
 /// The mark of the background.
 pub(crate) const SKY: u32 = u32::MAX;
@@ -73,7 +73,7 @@ const TIE: f32 = 1.0 + 3e-7;
 
 fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: impl Fn(f32) -> bool) {
     let (width, height) = (layer.width, layer.height);
-    let limit = view.near(DVec3::ZERO);
+    let limit = view.near;
     for (id, triangle) in scene.triangles.iter().enumerate() {
         let paint = &scene.paints[triangle.paint as usize];
         let has_map = paint.opacity_image.is_some() && triangle.uvs != PLAIN;
@@ -96,19 +96,29 @@ fn draw(scene: &Scene, view: &Viewport, layer: &mut VisibilityBuffer, wanted: im
                 }
             });
         };
-        if corners.iter().all(|&p| limit < view.depth(p)) {
+        let can_be_drawn = |p: &DVec3| {
+            let [x, y, _] = view.project(*p);
+            limit < view.depth(*p) && x.abs().max(y.abs()) < FAR
+        };
+        if corners.iter().all(can_be_drawn) {
             put(corners);
-        } else {
-            clipped(corners, |p| view.depth(p) - limit, put);
+            continue;
+        }
+        let mut polygon = clipped(&corners, |p| view.depth(p) - limit);
+        for guard in Guard::ALL {
+            polygon = clipped(&polygon, |p| view.guard(p, guard));
+        }
+        for i in 1..polygon.len().saturating_sub(1) {
+            put([polygon[0], polygon[i], polygon[i + 1]]);
         }
     }
 }
 
-/// The part of a triangle where `inside` is positive, as triangles.
-fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnMut([DVec3; 3])) {
-    let mut kept = Vec::with_capacity(4);
-    for i in 0..3 {
-        let (a, b) = (corners[i], corners[(i + 1) % 3]);
+/// The part of a convex polygon where `inside` is positive.
+fn clipped(corners: &[DVec3], inside: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for i in 0..corners.len() {
+        let (a, b) = (corners[i], corners[(i + 1) % corners.len()]);
         let (da, db) = (inside(a), inside(b));
         if 0.0 < da {
             kept.push(a);
@@ -118,9 +128,7 @@ fn clipped(corners: [DVec3; 3], inside: impl Fn(DVec3) -> f64, mut put: impl FnM
             kept.push(a.lerp(b, da / (da - db)));
         }
     }
-    for i in 1..kept.len().saturating_sub(1) {
-        put([kept[0], kept[i], kept[i + 1]]);
-    }
+    kept
 }
 
 /// Adds a horizontal ground to all samples without a surface, if the camera is above it.

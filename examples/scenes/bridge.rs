@@ -108,11 +108,11 @@ pub fn scene() -> Scene<()> {
         sentence: "A cylinder is cut out of each span, whatever its width; the length of the bridge determines the number of spans.",
         rules: grammar_text(include_str!("bridge.rs")),
         grammar: (),
-        shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 100.0))],
+        shapes: vec![Start::new("Lot", Shape::rectangle(110.0, 260.0))],
         view: View {
             azimuth: 38.0,
             elevation: 13.0,
-            region: Some([[22.0, 2.0, 33.0], [92.0, 13.0, 57.0]]),
+            region: Some([[22.0, 2.0, 113.0], [92.0, 13.0, 137.0]]),
             ..View::default()
         },
     }

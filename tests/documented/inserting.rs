@@ -78,7 +78,12 @@ fn barriers_and_rails_follow_the_street() {
         })
         .collect();
     assert_eq!(lengths.len(), 3);
-    lengths.iter().for_each(|length| near(*length, 83.0, 1.0));
+    // The middles of the barriers are 0.4 m inside the borders of the road, 5 m from its line, and on the line.
+    let mut lengths = lengths;
+    lengths.sort_by(f64::total_cmp);
+    for (length, radius) in lengths.into_iter().zip([RADIUS - 4.6, RADIUS, RADIUS + 4.6]) {
+        near(length / (PI * radius), 1.0, 0.02);
+    }
     let rails = model(&guardrails::EXAMPLE);
     assert_eq!(rails.len(), 2);
     for rail in rails.leaves() {
@@ -93,10 +98,9 @@ fn an_asset_is_repeated_in_each_unit_of_the_coordinates() {
     assert_eq!((split.count("Sphere"), along.len()), (16, 1));
     split.leaves().for_each(|leaf| near(leaf.size().y, 2.5, 1e-9));
     // The coordinates map a sphere of width 1 to cells of the face: their area on the ground times the height.
-    let ground: f64 = 0.5 * ((11.0 - 0.0) * (-9.0 - 2.0) - (-1.0 - 10.0) * (-8.0 - 0.0_f64)).abs();
     let unit = meshes::sphere(16, 8, 0.5).volume();
     let volume: f64 = along.leaves().map(|leaf| leaf.volume()).sum();
-    near(volume / (ground * 2.5 * unit), 1.0, 0.02);
+    near(volume / (10.0 * 10.0 * 2.5 * unit), 1.0, 0.02);
     let forest = model(&trees::EXAMPLE);
     assert_eq!(forest.counts(), [("Texture", 1), ("Foliage", 1), ("Trunk", 1)]);
     for leaf in forest.leaves().filter(|leaf| leaf.rule() != "Texture") {
@@ -121,11 +125,11 @@ fn assets_bend_around_cylinders_and_spheres() {
         // Half of its depth is in the wall, whose faces are up to 0.01 m nearer to the axis than their edges.
         assert!((1.889..2.101).contains(&radius), "{radius}");
     }
-    // The sphere of 16 sides fills its box, so its corners are 5.1 m from the middle.
+    // The sphere of 16 sides fills its box, so its corners are 10.2 m from the middle.
     let ball = model(&sphere::EXAMPLE);
     let start = (sphere::EXAMPLE.start)();
     let middle = start.scope().frame().to_world(0.5 * start.scope().size);
-    for (rule, low, high) in [("Pyramids", 4.6, 5.6), ("Circles2D", 4.6, 5.1), ("Circles3D", 4.1, 5.1)] {
+    for (rule, low, high) in [("Pyramids", 9.4, 10.7), ("Circles2D", 9.4, 10.2), ("Circles3D", 8.9, 10.2)] {
         let leaf = ball.leaves_of(rule).next().expect("a part");
         let radii: Vec<f64> = points(&leaf).iter().map(|point| point.distance(middle)).collect();
         let [least, most] =

@@ -13,6 +13,8 @@ use crate::pages::example::{Example, Mark};
 pub struct Cell {
     pub title: &'static str,
     pub rules: &'static str,
+    /// The rules that the page gives once for all its examples.
+    pub further: &'static str,
     /// The measures of the pieces.
     pub measured: String,
     pub model: Model,
@@ -36,8 +38,8 @@ const THINNEST: f64 = 1e-4;
 
 impl Cell {
     pub fn new(example: &Example, model: Model, camera: Camera) -> Self {
-        let (title, rules) = (example.title, example.shown());
-        Cell { title, rules, measured: String::new(), model, camera, size: SMALL, borders: false }
+        let (title, (rules, further)) = (example.title, example.shown_and_further());
+        Cell { title, rules, further, measured: String::new(), model, camera, size: SMALL, borders: false }
     }
 
     #[allow(dead_code, reason = "the test of the text draws nothing")]
@@ -90,18 +92,24 @@ pub fn comp_cell(example: &Example, settings: &Settings) -> Cell {
     let bounds = marks::marked(&example.model(settings), example).bounds();
     let view = match example.marks.contains(&Mark::FromAbove) {
         true => plan(bounds),
-        false => Camera::auto(bounds).looking_from(azimuth(example), 30.0).field_of_view(16.0),
+        false => {
+            let (azimuth, elevation) = direction(example);
+            Camera::auto(bounds).looking_from(azimuth, elevation).field_of_view(16.0)
+        }
     };
-    cell(example, settings, view, counts)
+    // Lines would hide how normals shade facets.
+    Cell { borders: !example.title.contains("Normals operation"), ..cell(example, settings, view, counts) }
 }
 
-/// The angle of the view. The page shows façades and edges from the front right, other examples from the front left.
-fn azimuth(example: &Example) -> f64 {
-    if example.marks.contains(&Mark::FromOrigin) {
-        return -140.0;
-    }
+/// The azimuth and the elevation of the view. The page shows façades and edges from the front right, other examples from the front left.
+fn direction(example: &Example) -> (f64, f64) {
+    let own = example
+        .marks
+        .iter()
+        .find_map(|mark| if let Mark::From(azimuth, elevation) = *mark { Some((azimuth, elevation)) } else { None });
     let from_the_right = [Mark::InitialPivot, Mark::Pivots("Right"), Mark::Initial];
-    if from_the_right.iter().any(|mark| example.marks.contains(mark)) { 40.0 } else { -33.0 }
+    let is_from_the_right = from_the_right.iter().any(|mark| example.marks.contains(mark));
+    own.unwrap_or(if is_from_the_right { (40.0, 30.0) } else { (-33.0, 30.0) })
 }
 
 pub fn area_cell(example: &Example, settings: &Settings) -> Cell {

@@ -166,9 +166,16 @@ impl Chapter {
                 Some(original) => format!("The result looks as in <em>{}</em>.", escaped(original)),
                 None => format!("<img src=\"{}\" alt=\"{}\">", self.picture(number), escaped(cell.title)),
             };
+            let further = match cell.further {
+                "" => String::new(),
+                rules => format!(
+                    "<details><summary>Rules of all examples</summary><pre>\n{}\n</pre></details>",
+                    escaped(rules)
+                ),
+            };
             let _ = write!(
                 text,
-                "\n### {}\n\n<table><tr><td width=\"50%\">{shown}</td><td><pre>\n{}\n</pre>{}</td></tr></table>\n",
+                "\n### {}\n\n<table><tr><td width=\"50%\">{shown}</td><td><pre>\n{}\n</pre>{further}{}</td></tr></table>\n",
                 cell.title,
                 escaped(cell.rules),
                 escaped(&cell.measured),

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use cga::glam::{DAffine3, DMat3, DVec3};
 use cga::mesh::Bounds;
 use cga::{
-    Color, Cuboid, Frame, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Settings, Shape, Sink, Text,
+    Color, Cuboid, Frame, Geometry, Leaf, LeafView, Material, Mesh, MeshBuilder, Model, Scope, Settings, Shape, Sink,
+    Text,
 };
 
 use crate::pages::example::{Example, Mark};
@@ -26,6 +27,7 @@ pub fn marked(model: &Model, example: &Example) -> Model {
     let start = (example.start)();
     let mut pen = Pen { unit: reach(model, &start).size().length(), out: Model::new() };
     let _ = model.replay(&mut pen.out);
+    model.leaves().for_each(|leaf| pen.edge(&leaf));
     for mark in example.marks {
         match *mark {
             Mark::Initial => pen.initial(&start),
@@ -42,7 +44,7 @@ pub fn marked(model: &Model, example: &Example) -> Model {
                 pen.edges(scope);
                 pen.scope(scope);
             }),
-            Mark::FromAbove | Mark::FromOrigin => {}
+            Mark::FromAbove | Mark::From(..) => {}
         }
     }
     pen.out
@@ -111,6 +113,16 @@ impl Pen {
                 let arrow = arrow(length + HEAD * self.unit, ARROW * self.unit, HEAD * self.unit);
                 self.mesh(Arc::new(arrow), color, &place);
             }
+        }
+    }
+
+    /// Draws the edge of a leaf that is an edge with a colour.
+    fn edge(&mut self, leaf: &LeafView<'_>) {
+        let (size, width) = (leaf.size(), LINE * self.unit);
+        let Some(Color { r, g, b, .. }) = leaf.material().color else { return };
+        if matches!(leaf.geometry(), Geometry::Placement) && 0.0 < size.x && size.y == 0.0 && size.z == 0.0 {
+            let low = DVec3::new(0.0, -0.5 * width, -0.5 * width);
+            self.bar(&leaf.scope().frame(), low, DVec3::new(size.x, width, width), [r, g, b]);
         }
     }
 

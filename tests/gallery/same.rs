@@ -36,6 +36,10 @@ const SAME: &[(&str, &str)] = &[
         "Subdivision split, Repeat split: absolute",
     ),
     ("Geometry tagging, Geometry cleanup, tagged edges", "Geometry tagging, propagation: offset"),
+    (
+        "setupProjection operation, Global Texture Projection: with offsets",
+        "setupProjection operation, Global Texture Projection",
+    ),
 ];
 
 /// The title of the example whose picture an example shares.

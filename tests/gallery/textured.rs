@@ -46,7 +46,7 @@ fn cell(example: &Example, settings: &Settings) -> Cell {
     }
     let bounds = model.bounds();
     if has_borders(example) {
-        model = outlined(&model, 0.004 * bounds.size().max_element());
+        model = outlined(&model, 0.002 * bounds.size().max_element());
     }
     let camera = match example.title {
         title if title.starts_with("tileUV") => Camera::auto(bounds).looking_from(0.0, 90.0).orthographic(),
@@ -76,7 +76,7 @@ fn put_below(model: &mut Model, shape: Shape, settings: &Settings) {
 
 /// Returns true if the page's picture shows the borders of the pieces or of the faces.
 fn has_borders(example: &Example) -> bool {
-    ["UV Split", "Street Tiling: default", "with offsets"].iter().any(|title| example.title.contains(title))
+    ["UV Split", "Street Tiling", "Global"].iter().any(|title| example.title.contains(title))
 }
 
 /// The model with black strips of that width along all edges, inside the faces.

@@ -130,7 +130,12 @@ fn standing_cylinder() -> Mesh {
 fn tree() -> Mesh {
     let mut builder = MeshBuilder::new();
     builder.groups(["Foliage", "Trunk"].map(str::to_owned));
-    let crown = FaceTag { group: 0, ..FaceTag::PLAIN };
+    builder.materials([[0.45, 0.62, 0.32], [0.42, 0.29, 0.17]].map(|[r, g, b]| {
+        let mut material = Material::default();
+        material.color = Some(Color::new(r, g, b));
+        material
+    }));
+    let crown = FaceTag { group: 0, material: 0, ..FaceTag::PLAIN };
     let heights = [2.2, 2.8, 4.0, 5.6, 6.6, 7.0];
     let radii = [0.6, 1.5, 2.0, 1.7, 0.9, 0.2];
     let rings: Vec<Vec<u32>> = heights
@@ -146,7 +151,7 @@ fn tree() -> Mesh {
     }
     let low: Vec<u32> = rings[0].iter().rev().copied().collect();
     builder.face(&low, &[], crown).face(&rings[5], &[], crown);
-    let trunk = FaceTag { group: 1, ..FaceTag::PLAIN };
+    let trunk = FaceTag { group: 1, material: 1, ..FaceTag::PLAIN };
     meshes::block(&mut builder, [-0.25, 0.0, -0.25], [0.5, 3.5, 0.5], trunk);
     builder.build().expect("a tree")
 }

@@ -128,7 +128,7 @@ example! {
                                | ~1: split(z) { 10: X. | 10: NIL }* }
     cleanupGeometry(all,0)
     F.
-"##
+"##; marks &[Mark::From(57.0, 30.0)]
 }
 
 example! {
@@ -165,7 +165,7 @@ GreenEdge --> s('1, 0.4, 0.4) center(yz) primitiveCube() color("#09DE1F")
 Blue --> color("#0399F5")
 Green --> color("#09DE1F")
 Yellow --> color("#FADB19")
-"##
+"##; marks &[Mark::From(147.0, 30.0)]
 }
 
 example! {
@@ -197,7 +197,7 @@ FrontyardFootprint --> s(10, 0, 10) center(x) t(0, 0, '-0.33)
 Blue --> color("#0399F5")
 Green --> color("#09DE1F")
 Yellow --> color("#FADB19")
-"##
+"##; marks &[Mark::From(147.0, 30.0)]
 }
 
 example! {

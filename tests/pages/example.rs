@@ -57,8 +57,8 @@ pub enum Mark {
     ScopePivots(&'static str),
     /// The edges and the axes of the scope of each shape of a rule that has successors.
     Inner(&'static str),
-    /// The picture shows the model from the origin of the initial scope, so that all axes are in front.
-    FromOrigin,
+    /// The picture shows the model from this azimuth and elevation in degrees: (0, 0) is from the front, (90, 0) from the right.
+    From(f64, f64),
     /// The picture shows the model from above.
     FromAbove,
 }
@@ -80,7 +80,13 @@ impl Mark {
 impl Example {
     /// The rules of this example, without those that the page gives once for all its examples.
     pub fn shown(&self) -> &'static str {
-        self.rules.split("\n\n").next().unwrap_or_default().trim_matches('\n').trim_end()
+        self.shown_and_further().0
+    }
+
+    /// The rules of this example, and the rules that the page gives once for all its examples.
+    pub fn shown_and_further(&self) -> (&'static str, &'static str) {
+        let rules = self.rules.trim_matches('\n').trim_end();
+        rules.split_once("\n\n").unwrap_or((rules, ""))
     }
 
     /// The model it gives.

@@ -1,10 +1,13 @@
 //! *insert operation* and *insertAlongUV operation*. The pages' assets are replaced by meshes of our own (`assets`).
 
+use std::f64::consts::PI;
+
 use cga::glam::DVec2;
+use cga::street::Centerline;
 use cga::{MeshBuilder, Shape};
 
 use super::example::{Example, example};
-use super::texturing::{tiled_street, two_segments};
+use super::texturing::streets;
 
 /// In the order of the pages.
 pub const ALL: &[Example] = &[
@@ -21,14 +24,27 @@ pub const ALL: &[Example] = &[
     sphere::EXAMPLE,
 ];
 
-/// A slanting quadrilateral whose texture coordinates are a unit square.
+/// A slanting square whose texture coordinates are a unit square.
 fn slanting() -> Shape {
     let mut builder = MeshBuilder::new();
-    let corners = [[0.0, 0.0, 0.0], [10.0, 0.0, 2.0], [11.0, 1.0, -8.0], [-1.0, 1.0, -9.0]];
+    let corners = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [10.0, 2.0, -10.0], [0.0, 2.0, -10.0]];
     let points = corners.map(|corner| builder.point(corner));
     let uvs = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(DVec2::from);
     builder.polygon(&points).uvs(&uvs);
     Shape::mesh(builder.build().expect("a face"))
+}
+
+/// The radius of the line of the street.
+pub const RADIUS: f64 = 16.0;
+
+/// A street of half a circle, 10 m wide.
+fn half_circle() -> Shape {
+    let point = |step: u32| {
+        let angle = PI * f64::from(step) / 16.0;
+        [RADIUS * libm::cos(angle), RADIUS * libm::sin(angle)]
+    };
+    let line: Vec<[f64; 2]> = (0..=16).map(point).collect();
+    streets(&[Centerline::new(&line).roadway(10.0).sidewalks(0.0, 0.0)]).remove(0)
 }
 
 example! {
@@ -100,7 +116,7 @@ Side-->
 }
 
 example! {
-    barriers, "insertAlongUV operation, Streets: barriers", tiled_street(),
+    barriers, "insertAlongUV operation, Streets: barriers", half_circle(),
     r##"const width  = assetInfo("barrier.obj", sx)
 const height = assetInfo("barrier.obj", sy)
 Street -->
@@ -117,7 +133,7 @@ InsertBarrier -->
 }
 
 example! {
-    guardrails, "insertAlongUV operation, Streets: guardrails", two_segments().remove(0),
+    guardrails, "insertAlongUV operation, Streets: guardrails", half_circle(),
     r##"const width  = assetInfo("guardrail.obj", sx)
 const height = assetInfo("guardrail.obj", sy)
 const depth  = assetInfo("guardrail.obj", sz)
@@ -131,7 +147,7 @@ InsertGuardrail -->
     normalizeUV(0, v, collectiveAllFaces)
     tileUV(0, ~width, 0)
     insertAlongUV(0, "guardrail.obj", height)
-"##
+"##; marks &[Mark::Initial, Mark::From(-33.0, 30.0)]
 }
 
 example! {
@@ -193,7 +209,7 @@ Window -->
 example! {
     /// "Both 2D and 3D assets are repeatedly inserted on a curved surface. Note that the height parameter is set to positive, zero, and
     /// negative values."
-    sphere, "insertAlongUV operation, Curved surfaces: a sphere", Shape::cuboid(10.0, 10.0, 10.0),
+    sphere, "insertAlongUV operation, Curved surfaces: a sphere", Shape::cuboid(20.0, 20.0, 20.0),
     r##"Sphere -->
     primitiveSphere()
     scaleUV(0, 10, 10)

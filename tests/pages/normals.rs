@@ -87,19 +87,19 @@ example! {
     /// "Shaded hemisphere with angle 0 (hard normals)."
     hemisphere_0, "softenNormals operation, angle 0", cube(),
     r##"Ball --> primitiveSphere(40, 20) split(z) { ~1 : softenNormals(0) Half. | ~1 : NIL }
-"##
+"##; marks &[Mark::From(147.0, 30.0)]
 }
 
 example! {
     /// "Shaded hemisphere with angle 30 (auto normals)."
     hemisphere_30, "softenNormals operation, angle 30", cube(),
     r##"Ball --> primitiveSphere(40, 20) split(z) { ~1 : softenNormals(30) Half. | ~1 : NIL }
-"##
+"##; marks &[Mark::From(147.0, 30.0)]
 }
 
 example! {
     /// "Shaded hemisphere with angle 180 (soft normals)."
     hemisphere_180, "softenNormals operation, angle 180", cube(),
     r##"Ball --> primitiveSphere(40, 20) split(z) { ~1 : softenNormals(180) Half. | ~1 : NIL }
-"##
+"##; marks &[Mark::From(147.0, 30.0)]
 }

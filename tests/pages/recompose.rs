@@ -139,7 +139,7 @@ example! {
 ModifiedRoof -->
   roofHip(45)
   modify(e) { ridge: t(0,2,0) X. }
-"#
+"#; marks &[Mark::From(50.0, 30.0)]
 }
 
 example! {

@@ -63,7 +63,7 @@ example! {
     cube, "t operation: the initial shape", unit(),
     r##"A-->
    primitiveCube()
-"##; marks &[Mark::FromOrigin, Mark::InitialPivot, Mark::Scopes("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::InitialPivot, Mark::Scopes("A")]
 }
 
 example! {
@@ -72,7 +72,7 @@ example! {
     r##"A-->
    primitiveCube()
    t(2,0,0)
-"##; marks &[Mark::FromOrigin, Mark::InitialPivot, Mark::Scopes("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::InitialPivot, Mark::Scopes("A")]
 }
 
 example! {
@@ -82,7 +82,7 @@ example! {
    primitiveCube()
    t(2,0,0)
    r(0,30,0)
-"##; marks &[Mark::FromOrigin, Mark::InitialPivot, Mark::Scopes("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::InitialPivot, Mark::Scopes("A")]
 }
 
 example! {
@@ -93,7 +93,7 @@ example! {
    t(2,0,0)
    r(0,30,0)
    t('2,0,0)
-"##; marks &[Mark::FromOrigin, Mark::InitialPivot, Mark::Scopes("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::InitialPivot, Mark::Scopes("A")]
 }
 
 example! {
@@ -130,7 +130,7 @@ example! {
     extruded, "s operation: the initial shape", lot(),
     r##"Lot-->
    extrude(10)
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
 }
 
 example! {
@@ -139,7 +139,7 @@ example! {
     r##"Lot-->
    extrude(10)
    s(5,5,5)
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
 }
 
 example! {
@@ -148,7 +148,7 @@ example! {
     r##"Lot-->
    extrude(10)
    s('0.5,'1,'1.5)
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
 }
 
 example! {
@@ -167,7 +167,7 @@ SelCube-->
    [ color("#ff00ff") s(1,1,1) center(xz) X ]
    [ color("#00ffff") s(1,1,1) center(yz) X ]
    [ color("#ffffff") s(1,1,1) center(xyz) X ]
-"##; marks &[Mark::FromOrigin, Mark::Inner("SelCube")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Inner("SelCube")]
 }
 
 example! {
@@ -178,7 +178,7 @@ example! {
     r(scopeCenter, 0, 22.5, 0) X.
     r(scopeCenter, 0, 22.5, 0) X.
     r(scopeCenter, 0, 22.5, 0) X.
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Scopes("X")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Scopes("X")]
 }
 
 example! {
@@ -189,7 +189,7 @@ example! {
     [ r(scopeCenter, 0, 22.5, 0) X. ]
     [ r(scopeCenter, 0, 22.5, 0) X. ]
     [ r(scopeCenter, 0, 22.5, 0) X. ]
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Scopes("X")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Scopes("X")]
 }
 
 example! {
@@ -203,7 +203,7 @@ example! {
     [ t('-1, 0,   0) Cylinder ]
 Cylinder -->
     primitiveCylinder(16, 1, 2)
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::Scopes("Cylinder")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::Scopes("Cylinder")]
 }
 
 example! {
@@ -240,21 +240,21 @@ example! {
    t('0.2, 0, '0.3)
    s('0.5, '1, '0.5)
    rotate(abs, world, 0, 90, 0)
-"##; marks &[Mark::FromOrigin, Mark::Initial, Mark::InitialPivot, Mark::Scopes("Init")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Initial, Mark::InitialPivot, Mark::Scopes("Init")]
 }
 
 example! {
     /// "The geometry is not rotated, and the size and translation of the scope is adjusted".
     turned_scope, "rotateScope operation", lot(),
     r##"Lot --> extrude(6) rotateScope(0, 40, 0)
-"##; marks &[Mark::FromOrigin, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Boxes("Lot"), Mark::Scopes("Lot")]
 }
 
 example! {
     /// "The current shape's geometry stays the same."
     mirrored_scope, "mirrorScope operation", lot(),
     r##"Lot --> extrude(6) mirrorScope(true, false, false)
-"##; marks &[Mark::FromOrigin, Mark::Boxes("Lot"), Mark::Scopes("Lot")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Boxes("Lot"), Mark::Scopes("Lot")]
 }
 
 example! {
@@ -263,7 +263,7 @@ example! {
     r##"A-->
    t(5,0,4) s(8,24,8) r(10,20,30)
    primitiveCube()
-"##; marks &[Mark::FromOrigin, Mark::InitialPivot, Mark::Boxes("A"), Mark::Scopes("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::InitialPivot, Mark::Boxes("A"), Mark::Scopes("A")]
 }
 
 example! {
@@ -273,7 +273,7 @@ example! {
    t(5,0,4) s(8,24,8) r(10,20,30)
    primitiveCube()
    alignScopeToAxes()
-"##; marks &[Mark::FromOrigin, Mark::Boxes("A"), Mark::Scopes("A"), Mark::ScopePivots("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Boxes("A"), Mark::Scopes("A"), Mark::ScopePivots("A")]
 }
 
 example! {
@@ -283,7 +283,7 @@ example! {
    t(5,0,4) s(8,24,8) r(10,20,30)
    primitiveCube()
    alignScopeToAxes(y)
-"##; marks &[Mark::FromOrigin, Mark::Boxes("A"), Mark::Scopes("A"), Mark::ScopePivots("A")]
+"##; marks &[Mark::From(-140.0, 30.0), Mark::Boxes("A"), Mark::Scopes("A"), Mark::ScopePivots("A")]
 }
 
 example! {

@@ -206,7 +206,8 @@ macro_rules! propagation {
                 rules: concat!("Init --> ", stringify!($($ops)*), " Visualize\n"),
                 start: || $start,
                 run: |shape, settings| Page::default().generate_with(shape, settings),
-                marks: &[],
+                // From the side of the concave corner.
+                marks: &[crate::pages::example::Mark::From(57.0, 30.0)],
                 pieces: None,
             };
         }

@@ -50,7 +50,7 @@ pub fn two_segments() -> Vec<Shape> {
 }
 
 /// The roadways of some lines, each as the graph has it.
-fn streets(lines: &[Centerline]) -> Vec<Shape> {
+pub(super) fn streets(lines: &[Centerline]) -> Vec<Shape> {
     let network = Network::new(lines, &NetworkOptions::default()).expect("streets");
     network.parts().iter().filter(|part| part.start_rule() == "Street").map(|part| part.shape()).collect()
 }

@@ -142,6 +142,29 @@ fn lines_divide_faces_of_one_leaf_and_surround_them_on_the_ground_if_wanted() {
     }
 }
 
+/// A camera above a floor whose triangles go on behind it: their corners are at pixels far outside the picture.
+#[test]
+fn a_floor_below_the_camera_is_seen_up_to_the_horizon() {
+    let half = [3.0, 300.0, 3e4, 3e6];
+    for (half, aside) in half.into_iter().flat_map(|half| [0.0, 0.31, 0.97].map(|aside| (half, aside * half))) {
+        let corners = [[-half, half], [half, half], [half, -half], [-half, -half]];
+        let floor = corners.map(|[x, z]| DVec3::new(x + aside, 0.0, z - 0.5 * aside));
+        let mut scene = Scene::new(Bounds::of(floor));
+        let paint = scene.add_paint(Paint::default());
+        scene.add_face(&Face::new(&floor, &HALVES, DVec3::Y, paint));
+        let near = Bounds { low: DVec3::splat(-1.0), high: DVec3::ONE };
+        let camera = Camera::auto(near).looking_from(30.0, 8.0).field_of_view(70.0);
+        let renderer = Renderer { view: Viewpoint::Camera(camera), ..front(64) };
+        let leaves = renderer.leaves(&scene);
+        let seen = |rows: std::ops::Range<usize>| {
+            rows.map(|row| leaves[row * 64..][..64].iter().flatten().count()).sum::<usize>()
+        };
+        // Small floors end inside the picture.
+        assert!(half < 100.0 || seen(48..64) == 16 * 64, "{half} {aside}: {} of {}", seen(48..64), 16 * 64);
+        assert!(0 < seen(0..64), "{half} {aside}");
+    }
+}
+
 #[test]
 fn normals_of_corners_shade_smoothly() {
     let shade = |normals: Option<&[DVec3]>| {

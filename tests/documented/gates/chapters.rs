@@ -57,7 +57,7 @@ const APART: &[&str] = &[
     "innerRectangle operation, aligned to the world",
     "innerRectangle operation, slanting faces",
     "insertAlongUV operation, Curved surfaces: a sphere",
-    "insertAlongUV operation, Repeating geometries: splits",
+    "insertAlongUV operation, Repeating geometries",
     "modify operation, Chaikin's corner cutting",
     "roofRidge operation, component tags",
     "roofShed operation, component tags",
