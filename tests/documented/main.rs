@@ -73,7 +73,7 @@ fn the_gallery_shows_these_examples() {
     }
     let shown: usize = chapters.iter().map(|chapter| chapter.cells.len()).sum();
     // The hollow cylinder is an example of ours.
-    assert_eq!(shown, all().len() + 1, "the gallery shows every example");
+    assert_eq!(shown, pages::all().len() + 1, "the gallery shows every example");
 }
 
 /// The folder of the pages.
@@ -106,7 +106,7 @@ rows! {
 #[test]
 fn each_row_of_pieces_is_compared() {
     let titles = |list: &[Example]| -> Vec<&str> { list.iter().map(|example| example.title).collect() };
-    let all: Vec<Example> = all().into_iter().filter(|example| example.pieces.is_some()).collect();
+    let all: Vec<Example> = pages::all().into_iter().filter(|example| example.pieces.is_some()).collect();
     assert_eq!(titles(&all), titles(ROWS));
 }
 
@@ -137,42 +137,11 @@ fn the_recursion_of_the_golden_ratio() {
     assert!((pieces.iter().map(|piece| piece.2).sum::<f64>() - 5.0).abs() < 1e-9);
 }
 
-/// All examples.
-fn all() -> Vec<Example> {
-    [
-        pages::split_operation::ALL,
-        pages::split_attribute::ALL,
-        pages::split_area::ALL,
-        pages::subdivision_once::ALL,
-        pages::subdivision_repeat::ALL,
-        pages::cutting::ALL,
-        pages::boolean::ALL,
-        pages::boolean_table::ALL,
-        pages::comp::ALL,
-        pages::components::ALL,
-        pages::texturing::ALL,
-        pages::primitives::ALL,
-        pages::roofs::ALL,
-        pages::inserting::ALL,
-        pages::mass::ALL,
-        pages::recompose::ALL,
-        pages::scattering::ALL,
-        pages::scope::ALL,
-        pages::setback::ALL,
-        pages::mesh_operations::ALL,
-        pages::normals::ALL,
-        pages::cleanup::ALL,
-        pages::tags::ALL,
-        pages::wings::ALL,
-    ]
-    .concat()
-}
-
 /// Every example runs, leaves something and has nothing to complain about, and they can be told apart.
 #[test]
 fn all_examples_run() {
-    let mut titles: Vec<_> = all().iter().map(|example| example.title).collect();
-    for example in all() {
+    let mut titles: Vec<_> = pages::all().iter().map(|example| example.title).collect();
+    for example in pages::all() {
         let model = example.model(&pages::assets::settings());
         assert!(!model.is_empty() && model.faults().is_empty(), "{}: {:?}", example.title, model.faults());
         assert!(example.shown().contains("-->"), "{}: the gallery shows no rule", example.title);

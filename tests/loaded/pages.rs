@@ -3,36 +3,8 @@
 use cga::{Grammar, Model, RuleFile};
 use cga_tests::inline;
 use cga_tests::outcome::bytes;
-use cga_tests::pages::example::Example;
 use cga_tests::pages::{self, assets};
 use cga_tests::tree::root;
-
-/// All pages.
-const PAGES: [&[Example]; 22] = [
-    pages::boolean::ALL,
-    pages::boolean_table::ALL,
-    pages::cleanup::ALL,
-    pages::comp::ALL,
-    pages::components::ALL,
-    pages::cutting::ALL,
-    pages::inserting::ALL,
-    pages::mass::ALL,
-    pages::mesh_operations::ALL,
-    pages::normals::ALL,
-    pages::primitives::ALL,
-    pages::recompose::ALL,
-    pages::roofs::ALL,
-    pages::scattering::ALL,
-    pages::setback::ALL,
-    pages::split_area::ALL,
-    pages::split_attribute::ALL,
-    pages::split_operation::ALL,
-    pages::subdivision_once::ALL,
-    pages::subdivision_repeat::ALL,
-    pages::tags::ALL,
-    pages::texturing::ALL,
-    pages::wings::ALL,
-];
 
 /// The parts of a model that are compared.
 fn shown(model: &Model) -> String {
@@ -53,7 +25,7 @@ fn shared(rules: &str) -> String {
 #[test]
 fn examples_give_the_same() {
     let (settings, mut count) = (assets::settings(), 0);
-    for example in PAGES.into_iter().flatten() {
+    for example in pages::all() {
         let shape = (example.start)();
         let rules = format!("{}\n{}", example.rules, shared(example.rules));
         let loaded = RuleFile::loader().named("Page").text(&rules);

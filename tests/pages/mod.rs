@@ -27,3 +27,36 @@ pub mod subdivision_repeat;
 pub mod tags;
 pub mod texturing;
 pub mod wings;
+
+use example::Example;
+
+/// The examples of all pages.
+pub fn all() -> Vec<Example> {
+    [
+        split_operation::ALL,
+        split_attribute::ALL,
+        split_area::ALL,
+        subdivision_once::ALL,
+        subdivision_repeat::ALL,
+        cutting::ALL,
+        boolean::ALL,
+        boolean_table::ALL,
+        comp::ALL,
+        components::ALL,
+        texturing::ALL,
+        primitives::ALL,
+        roofs::ALL,
+        inserting::ALL,
+        mass::ALL,
+        recompose::ALL,
+        scattering::ALL,
+        scope::ALL,
+        setback::ALL,
+        mesh_operations::ALL,
+        normals::ALL,
+        cleanup::ALL,
+        tags::ALL,
+        wings::ALL,
+    ]
+    .concat()
+}

@@ -6,7 +6,7 @@ use std::fmt::Write;
 use cga::Settings;
 use cga_gates::{Finding, GlbSurvey, back_faces, fights, holes, inside_out};
 use cga_tests::drawn::Drawn;
-use cga_tests::pages::assets;
+use cga_tests::pages::{self, assets};
 
 use super::Surveyed;
 use super::fights::MOST;
@@ -94,7 +94,7 @@ const BENT: &[&str] = &["Boolean operations, mass modeling, adding tags", "Shape
 #[test]
 fn the_examples_of_the_chapters_pass_the_gates() {
     let (mut text, mut used) = (String::new(), BTreeSet::new());
-    for example in crate::all() {
+    for example in pages::all() {
         let title = example.title;
         let surveyed = Surveyed::new(Drawn::new(title, move |settings| {
             Ok((example.run)(&(example.start)(), &Settings { tree: settings.tree, ..assets::settings() })?)
