@@ -55,6 +55,7 @@ use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
 use paint::Paint;
 pub use part_id::PartId;
+use record::RecordedLists;
 pub use replay::Replay;
 pub use slot::RepeatedSlot;
 pub(crate) use tape::Tape;
@@ -81,6 +82,8 @@ pub(crate) struct Templates<C> {
     entries: HashMap<u64, Vec<TemplateEntry<C>>, FixedState>,
     /// The number of leaves, holes and corners of meshes in them, and of entries.
     kept: usize,
+    /// The lists of the last recording, for the next one.
+    lists: RecordedLists,
 }
 
 /// A template, or the knowledge that a shape has none.
@@ -136,13 +139,13 @@ enum TemplateBreak<C> {
 struct TemplateBody {
     /// True if it has the axes of the base, and false if it has the axes of the world.
     is_turned: bool,
-    leaves: Vec<TemplateLeaf>,
+    leaves: Box<[TemplateLeaf]>,
     /// The axes of the leaves.
-    frames: Vec<Axes>,
+    frames: Box<[Axes]>,
     /// The ranges of leaves before, between and after the breaks.
-    segments: Vec<LeafRange>,
-    marks: Vec<Mark>,
-    rows: Vec<LeafRow>,
+    segments: Box<[LeafRange]>,
+    marks: Box<[Mark]>,
+    rows: Box<[LeafRow]>,
 }
 
 /// A leaf with its position in a template.
@@ -250,7 +253,7 @@ const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl<C> Default for Templates<C> {
     fn default() -> Self {
-        Templates { entries: HashMap::default(), kept: 0 }
+        Templates { entries: HashMap::default(), kept: 0, lists: RecordedLists::default() }
     }
 }
 

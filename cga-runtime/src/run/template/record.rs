@@ -26,6 +26,7 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
+use crate::value::read::KeptRead;
 
 /// The call of a rule on a part that repeats.
 pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
@@ -38,13 +39,22 @@ enum Lost {
     Ended,
 }
 
+/// The lists of a recording. They grow once for all templates of a session.
+#[derive(Debug, Default)]
+pub(super) struct RecordedLists {
+    leaves: Vec<TemplateLeaf>,
+    frames: Vec<DMat3>,
+    segments: Vec<LeafRange>,
+    marks: Vec<Mark>,
+    rows: Vec<LeafRow>,
+}
+
 /// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
     /// True if leaves may be meshes.
     is_whole: bool,
-    leaves: Vec<TemplateLeaf>,
-    frames: Vec<DMat3>,
+    lists: RecordedLists,
     /// The leaves that do not fill their scopes, each with the number of leaves before it that do.
     others: Vec<(usize, MeshLeaf)>,
 }
@@ -54,7 +64,7 @@ impl Recorder<'_> {
         if !self.is_whole || MOST <= self.others.len() {
             return Flow::Break(());
         }
-        self.others.push((self.leaves.len(), MeshLeaf::of(leaf, geometry)));
+        self.others.push((self.lists.leaves.len(), MeshLeaf::of(leaf, geometry)));
         Flow::Continue(())
     }
 }
@@ -64,15 +74,16 @@ impl Sink for Recorder<'_> {
         let shape = leaf.shape;
         // Coordinates follow from projections of the base.
         let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
-        if !is_known || MOST <= self.leaves.len() {
+        if !is_known || MOST <= self.lists.leaves.len() {
             return Flow::Break(());
         }
         let matrix = shape.axes.matrix;
-        let frame = self.frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
-            self.frames.push(matrix);
-            self.frames.len() - 1
+        let RecordedLists { leaves, frames, .. } = &mut self.lists;
+        let frame = frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
+            frames.push(matrix);
+            frames.len() - 1
         });
-        self.leaves.push(TemplateLeaf {
+        leaves.push(TemplateLeaf {
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
@@ -128,7 +139,7 @@ impl<C: Clone> Cx<'_, C> {
             form: shape.form,
             is_raised,
             look: shape.look.get(),
-            seed: [0, shape.seed.get().value()],
+            seed: [shape.seed.get().factor(), shape.seed.get().value()],
             split: shape.split.get(),
             levels,
             stack,
@@ -152,21 +163,7 @@ impl<C: Clone> Cx<'_, C> {
         let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
         let key = TemplateKey::of(&slot, part, look);
-        let template = self.record(slot, (part, look), rule, 0).and_then(|mut template| {
-            template.reads.clone_from(&key.reads);
-            if !template.breaks.iter().any(|own| matches!(own, TemplateBreak::Hole(_))) {
-                return Ok(template);
-            }
-            // A seed is affine in the seed of the repetition: two points determine the line.
-            let other = self.record(slot, (part, look), rule, 1)?;
-            for pair in template.breaks.iter_mut().zip(&other.breaks) {
-                if let (TemplateBreak::Hole(hole), TemplateBreak::Hole(other)) = pair {
-                    let [_, at_zero] = hole.seed;
-                    hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
-                }
-            }
-            if template.breaks.len() == other.breaks.len() { Ok(template) } else { Err(Lost::Never) }
-        });
+        let template = self.record(slot, (part, look), rule, key.reads.clone());
         // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
@@ -191,14 +188,13 @@ impl<C: Clone> Cx<'_, C> {
         slot: RepeatedSlot<'_>,
         (part, look): (&ShapeRef<'_>, LookId),
         rule: PartFn<'_, C>,
-        seed: u64,
+        reads: Box<[KeptRead]>,
     ) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part, look, slot.reads_axes);
-        let frames = vec![base.axes().matrix];
-        let mut recorder =
-            Recorder { base: &base, is_whole: slot.is_whole, leaves: Vec::new(), frames, others: Vec::new() };
+        let lists = self.templates.lists.begun(base.axes().matrix);
+        let mut recorder = Recorder { base: &base, is_whole: slot.is_whole, lists, others: Vec::new() };
         let (filled, leaves, trail) = (self.env.filled, self.env.leaves, self.env.trail.len());
         let tape = Tape { base: &base, filled, leaves, trail, holes: Vec::new() };
         self.env.reach = None;
@@ -215,12 +211,14 @@ impl<C: Clone> Cx<'_, C> {
             is_operand: self.is_operand,
         };
         let shape = base.shape();
-        shape.seed.set(Seed::new(seed));
+        // So the seeds of holes are sums, and say which factor the seed of a repetition gets.
+        shape.seed.set(Seed::new(0));
         shape.split.set(INHERITED);
         let flow = rule(&mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
         let holes = cx.tape.take().map(|tape| tape.holes).unwrap_or_default();
-        let Recorder { leaves, frames, others, .. } = recorder;
+        let Recorder { lists, others, .. } = recorder;
+        self.templates.lists = lists;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
         let meshes = self.env.state().meshes.since(before.meshes);
         let reach = self.env.reach.take();
@@ -236,22 +234,16 @@ impl<C: Clone> Cx<'_, C> {
         if !is_complete || !is_quiet || has_missed || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
-        let body = TemplateBody {
-            is_turned: !slot.reads_axes,
-            leaves,
-            frames: frames.into_iter().map(Axes::new).collect(),
-            segments: Vec::new(),
-            marks: Vec::new(),
-            rows: Vec::new(),
-        };
-        let looks = || body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
+        let lists = &mut self.templates.lists;
+        let looks = || lists.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
         let is_lasting = looks().all(LookId::is_lasting);
         let mut open: Vec<LookId> = looks().filter(|look| self.env.leaf_tables.looks.is_open(*look)).collect();
         open.small_sort_unstable_by(|a, b| a.0.cmp(&b.0));
         open.dedup();
         let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
-        let (body, reads, open) = (body.divided(ends.into_iter()), Box::default(), open.into());
+        lists.divide(ends.into_iter());
+        let (body, open) = (lists.taken(!slot.reads_axes), open.into());
         Ok(Template { counts, body, breaks, reach, reads, open, is_lasting })
     }
 }
@@ -278,9 +270,30 @@ fn in_order<C>(
     breaks
 }
 
-impl TemplateBody {
+impl RecordedLists {
+    /// Takes the lists for a recording of a shape with those axes.
+    fn begun(&mut self, axes: DMat3) -> Self {
+        let mut lists = std::mem::take(self);
+        lists.leaves.clear();
+        lists.frames.clear();
+        lists.frames.push(axes);
+        lists
+    }
+
+    /// The body of the template. Takes everything out of the lists.
+    fn taken(&mut self, is_turned: bool) -> TemplateBody {
+        TemplateBody {
+            is_turned,
+            leaves: self.leaves.drain(..).collect(),
+            frames: self.frames.drain(..).map(Axes::new).collect(),
+            segments: self.segments.drain(..).collect(),
+            marks: self.marks.drain(..).collect(),
+            rows: self.rows.drain(..).collect(),
+        }
+    }
+
     /// Divides the leaves at the breaks, and finds consecutive leaves that are alike.
-    fn divided(mut self, breaks: impl Iterator<Item = usize>) -> Self {
+    fn divide(&mut self, breaks: impl Iterator<Item = usize>) {
         let ends = breaks.chain([self.leaves.len()]);
         let mut start = 0;
         for end in ends {
@@ -317,6 +330,5 @@ impl TemplateBody {
             });
             start = end;
         }
-        self
     }
 }
