@@ -77,18 +77,14 @@ impl Sink for Recorder<'_> {
         if !is_known || MOST <= self.lists.leaves.len() {
             return Flow::Break(());
         }
-        let matrix = shape.axes.matrix;
-        let RecordedLists { leaves, frames, .. } = &mut self.lists;
-        let frame = frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
-            frames.push(matrix);
-            frames.len() - 1
-        });
-        leaves.push(TemplateLeaf {
+        // The first frame has the axes of the base.
+        let frame = if std::ptr::eq(shape.axes, self.base.axes()) { 0 } else { self.lists.frame(&shape.axes.matrix) };
+        self.lists.leaves.push(TemplateLeaf {
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
             form: shape.form,
-            frame: frame as u32,
+            frame,
             rule: leaf.rule,
             look: shape.look.get(),
         });
@@ -234,15 +230,16 @@ impl<C: Clone> Cx<'_, C> {
         if !is_complete || !is_quiet || has_missed || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
+        let hole_looks: Vec<LookId> = holes.iter().map(|hole| hole.look).collect();
+        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let lists = &mut self.templates.lists;
-        let looks = || lists.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
+        lists.divide(ends.into_iter());
+        let looks = || lists.marks.iter().map(|mark| mark.look).chain(hole_looks.iter().copied());
         let is_lasting = looks().all(LookId::is_lasting);
         let mut open: Vec<LookId> = looks().filter(|look| self.env.leaf_tables.looks.is_open(*look)).collect();
         open.small_sort_unstable_by(|a, b| a.0.cmp(&b.0));
         open.dedup();
-        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
-        lists.divide(ends.into_iter());
         let (body, open) = (lists.taken(!slot.reads_axes), open.into());
         Ok(Template { counts, body, breaks, reach, reads, open, is_lasting })
     }
@@ -275,9 +272,19 @@ impl RecordedLists {
     fn begun(&mut self, axes: DMat3) -> Self {
         let mut lists = std::mem::take(self);
         lists.leaves.clear();
+        lists.leaves.reserve(MOST);
         lists.frames.clear();
         lists.frames.push(axes);
         lists
+    }
+
+    /// The index of axes among the frames.
+    fn frame(&mut self, axes: &DMat3) -> u32 {
+        let known = self.frames.iter().position(|frame| frame == axes);
+        known.unwrap_or_else(|| {
+            self.frames.push(*axes);
+            self.frames.len() - 1
+        }) as u32
     }
 
     /// The body of the template. Takes everything out of the lists.
@@ -294,39 +301,30 @@ impl RecordedLists {
 
     /// Divides the leaves at the breaks, and finds consecutive leaves that are alike.
     fn divide(&mut self, breaks: impl Iterator<Item = usize>) {
-        let ends = breaks.chain([self.leaves.len()]);
+        let Self { leaves, segments, marks, rows, .. } = self;
+        let is_box = |leaf: &TemplateLeaf| leaf.form == Form::Box;
         let mut start = 0;
-        for end in ends {
-            let (first_mark, first_row) = (self.marks.len(), self.rows.len());
-            let (mut corners, mut is_plain, mut may_have_coordinates) = (0, true, false);
-            for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
-                is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
-                may_have_coordinates |= leaf.look.may_have_coordinates();
-                let own = 4 * leaf.unit.face_count();
-                match self.marks[first_mark..].last_mut() {
-                    Some(mark) if mark.rule == leaf.rule && mark.look == leaf.look => {
-                        mark.leaves += 1;
-                        mark.corners += own;
-                    }
-                    _ => {
-                        let TemplateLeaf { rule, look, .. } = *leaf;
-                        self.marks.push(Mark { rule, look, leaves: 1, corners: own, before: corners as u32 });
-                    }
-                }
-                let is_box = leaf.form == Form::Box;
-                match self.rows[first_row..].last_mut() {
-                    Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
-                    _ => self.rows.push(LeafRow { is_box, frame: leaf.frame, leaves: at..at + 1 }),
-                }
+        for end in breaks.chain([leaves.len()]) {
+            let (first_mark, first_row, leaves) = (marks.len(), rows.len(), &leaves[start.min(end)..end]);
+            let mut corners = 0;
+            for alike in leaves.chunk_by(|a, b| a.rule == b.rule && a.look == b.look) {
+                let TemplateLeaf { rule, look, .. } = alike[0];
+                let own = alike.iter().map(|leaf| 4 * leaf.unit.face_count()).sum();
+                marks.push(Mark { rule, look, leaves: alike.len(), corners: own, before: corners as u32 });
                 corners += own;
             }
-            self.segments.push(LeafRange {
+            let mut at = start;
+            for row in leaves.chunk_by(|a, b| is_box(a) == is_box(b) && a.frame == b.frame) {
+                rows.push(LeafRow { is_box: is_box(&row[0]), frame: row[0].frame, leaves: at..at + row.len() });
+                at += row.len();
+            }
+            segments.push(LeafRange {
                 leaves: start..end,
-                marks: first_mark..self.marks.len(),
-                rows: first_row..self.rows.len(),
+                marks: first_mark..marks.len(),
+                rows: first_row..rows.len(),
                 corners,
-                is_plain,
-                may_have_coordinates,
+                is_plain: leaves.iter().all(|leaf| matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box)),
+                may_have_coordinates: marks[first_mark..].iter().any(|mark| mark.look.may_have_coordinates()),
             });
             start = end;
         }
