@@ -223,11 +223,12 @@ impl Derivation<'_> {
         env.run = looks.runs;
         sink.begin();
         sink.begin_building(self.shape.name(), self.shape.seed_value());
-        let mut outcome = RunOutcome::default();
+        let mut outcome = None;
         self.rules.derive((self.start, self.shape), &mut env, templates, sink, &mut |env, sink, flow, used| {
-            outcome = self.end(env, around.clone(), flow, looks, sink, used);
+            outcome = Some(self.end(env, &around, flow, sink, used));
         });
-        outcome
+        looks.looks = Some(env.leaf_tables.looks);
+        outcome.unwrap_or_default()
     }
 
     /// Derives the run once more into a sink, with templates of its own.
@@ -242,13 +243,11 @@ impl Derivation<'_> {
     fn end(
         &self,
         env: &mut Env,
-        around: Surroundings,
+        around: &Surroundings,
         flow: Flow,
-        kept: &mut KeptLooks,
         sink: &mut dyn Sink,
         used: UsedValues<'_>,
     ) -> RunOutcome {
-        kept.looks = Some(std::mem::take(&mut env.leaf_tables.looks));
         let mut outcome = outcome(env, flow);
         let keeps_tree = self.settings.tree && sink.keeps_tree();
         let make = || {

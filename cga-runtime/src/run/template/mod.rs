@@ -38,11 +38,10 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::fixed_hash::FixedState;
 use crate::geometry::Axis;
-use crate::geometry::each::Each;
 use crate::geometry::mesh::Bounds;
 use crate::run::env::mesh_counts::MeshCounts;
 use crate::run::env::records::TapedReport;
-use crate::run::sink::corners::{PlacedBox, four};
+use crate::run::sink::corners::PlacedBox;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
@@ -347,12 +346,15 @@ impl<C> Template<C> {
             false => Axes::new(axes.matrix * frame.matrix),
         };
         let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
+        let directions = |axes: &Axes| [axes.along(Axis::X), axes.along(Axis::Y), axes.along(Axis::Z)];
+        let [x, y, z] = directions(axes);
         let leaves = self.body.leaves.iter().map(|leaf| {
-            let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
-            let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
+            let TemplateLeaf { origin, size, .. } = *leaf;
+            let [u, v, w] = directions(&frames[leaf.frame as usize]);
+            // In the order of a product with the matrix, with the lanes of four coordinates.
             PlacedBox {
-                origin: four(axes.matrix * leaf.origin),
-                sides: sides.each(|(axis, size)| frame.along(axis) * size),
+                origin: x * origin.x + y * origin.y + z * origin.z,
+                sides: [u * size.x, v * size.y, w * size.z],
             }
         });
         Turned {
