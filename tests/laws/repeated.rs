@@ -91,6 +91,8 @@ rows! {
     Scope       [ Size(width, "#00ff00") ];
     Drawn       [ s(scope.sx, scope.sy, depth) primitiveCylinder(6) X. ];
     Chance      [ s(scope.sx * 0.5, scope.sy * 0.5, 0.1) primitiveCylinder(6) Glass ];
+    ChanceSet   [ set(seedian, 7) Glass ];
+    ChanceParts [ split(x) { ~1 : Glass | ~1 : set(seedian, 7) split(y) { ~1 : Glass | ~1 : [ t(0, 0, 0.1) Glass ] t(0, 0, 0.2) Glass } } ];
     World       [ extrude(0.2) comp(f) { world.up : A. | world.side : B. | all : C. } ];
     WorldOnce   [ comp(f) { world.south : A. | world.north : B. | all : C. } ];
     WorldTurned [ r(10, 20, 30) extrude(0.2) comp(f) { world.up : A. | world.east : B. | all : NIL } ];

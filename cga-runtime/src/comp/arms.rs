@@ -104,7 +104,7 @@ pub fn divide<C>(
     let by_arm = made.by_arm(arms.len());
     for (number, arm) in arms.iter().enumerate() {
         for faces in by_shape(by_arm.of(number), arm.mode) {
-            let part = made.shape(&whole, faces, seed::part(whole.seed.value(), faces[0], 0));
+            let part = made.shape(&whole, faces, whole.seed.part(faces[0], 0));
             let base = cx.env.base(part);
             visit(cx, number as u32, &base.shape())?;
         }

@@ -26,9 +26,9 @@ impl Faces {
     }
 
     /// The shape of some faces, which were made of the shape `whole`.
-    pub(super) fn shape(&self, whole: &Shape, faces: &[u32], seed: u64) -> Shape {
+    pub(super) fn shape(&self, whole: &Shape, faces: &[u32], seed: Seed) -> Shape {
         let mut part = whole.clone();
-        part.seed = Seed::new(seed);
+        part.seed = seed;
         part.set_mesh(extract(&self.mesh, faces, &Frame::WORLD));
         part
     }

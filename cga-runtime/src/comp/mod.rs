@@ -32,7 +32,7 @@ use crate::run::sink::Flow;
 use crate::shape::base::Base;
 use crate::shape::body::Body;
 use crate::shape::scope::Scope;
-use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::seed::{self, Tag};
 use crate::shape::trim::{Surface, Trims};
 use crate::shape::{Counter, Geometry, Shape, ShapeRef};
 use crate::value::text::Text;
@@ -425,7 +425,7 @@ impl<'s> AssignedComponents<'s> {
             scope,
             pivot,
             geometry,
-            seed: Seed::new(seed::part(parent.seed.value(), component, 0)),
+            seed: parent.seed.part(component, 0),
             split: parent.split,
             comp,
             selector: arm.text.clone(),

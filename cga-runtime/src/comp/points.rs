@@ -10,7 +10,7 @@ use crate::run::context::Cx;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
 use crate::shape::scope::Scope;
-use crate::shape::seed::{self, Seed, Tag};
+use crate::shape::seed::{self, Tag};
 use crate::shape::{Geometry, Shape, ShapeRef};
 
 /// Points in the world, with axes, that are made one by one.
@@ -57,11 +57,11 @@ pub fn each<C>(
     let (wanted, mut made) = (points.wanted, 0);
     let mut point = Shape { geometry: Geometry::Vertex, ..whole };
     point.bake();
-    let first = point.seed.value();
+    let first = point.seed;
     for frame in points {
         point.scope = Scope { origin: frame.origin, axes: frame.axes, size: DVec3::ZERO };
         point.set_pivot(frame);
-        point.seed = Seed::new(seed::part(first, made as u32, 0));
+        point.seed = first.part(made as u32, 0);
         let base = cx.env.base(point.clone());
         visit(cx, &base.shape())?;
         made += 1;

@@ -114,7 +114,7 @@ pub fn sections<C>(
     cx.env.count_corners(made.mesh.corners().len() as u64)?;
     let by_section = made.by_arm(slots.len() + 1);
     let mut give = |cx: &mut Cx<'_, C>, slot: u32, counter: Option<Counter>, key: u32, faces: &[u32]| {
-        let mut part = made.shape(&whole, faces, seed::part(whole.seed.value(), slot, u64::from(key)));
+        let mut part = made.shape(&whole, faces, whole.seed.part(slot, u64::from(key)));
         part.split = counter.unwrap_or(part.split);
         let base = cx.env.base(part);
         visit(cx, slot, &base.shape())

@@ -10,7 +10,6 @@ use crate::geometry::level_face::LevelFaces;
 use crate::run::context::Cx;
 use crate::run::sink::Flow;
 use crate::shape::base::Base;
-use crate::shape::seed::{self, Seed};
 use crate::shape::trim::Trims;
 use crate::shape::{Counter, Geometry, Placed, Shape, ShapeRef};
 
@@ -98,7 +97,7 @@ impl AssignedComponents<'_> {
             }
             None => self.source.kept(self.parent, &[face], false).put_into(shape),
         }
-        shape.seed = Seed::new(seed::part(self.parent.seed.value(), face, 0));
+        shape.seed = self.parent.seed.part(face, 0);
         shape.comp = comp;
         match (&self.parent.trims, &mut shape.trims) {
             (Trims::None, Trims::Face(_, known)) => *known = face,

@@ -157,7 +157,7 @@ pub fn trim_horizontal(_: &mut Env, shape: &mut Shape, value: bool) {
 pub fn seedian(env: &mut Env, shape: &mut Shape, value: f64) {
     let value = env.finite(value, "the seed");
     let whole = value.fract() == 0.0 && value.abs() <= get::SEED_MAX as f64;
-    shape.seed = Seed::new(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
+    shape.seed = Seed::set(if whole { value as i64 as u64 } else { Seed::new(value.to_bits()).scattered() });
 }
 
 // *pivot attribute*: in object coordinates. The scope is relative to the pivot and keeps its translation and

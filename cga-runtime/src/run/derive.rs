@@ -14,7 +14,7 @@ use crate::run::queries::Queries;
 use crate::run::report::{Print, Report};
 use crate::run::rules::{RuleTables, Rules, StartEntry};
 use crate::run::settings::Settings;
-use crate::run::sink::{Flow, Sink};
+use crate::run::sink::{Flow, LeafTables, Sink};
 use crate::run::start_rule::StartRule;
 use crate::run::surroundings::{Neighbours, Surroundings};
 use crate::run::template::Templates;
@@ -48,7 +48,8 @@ pub(crate) struct KeptTemplates(Option<Box<dyn Any>>);
 /// The part of [`Kept`] about looks.
 #[derive(Default)]
 struct KeptLooks {
-    looks: LookTable,
+    /// `None` before the first run, during a run, and after a run that ended by a panic.
+    looks: Option<LookTable>,
     /// The number of runs so far.
     runs: u64,
 }
@@ -65,15 +66,15 @@ impl KeptTemplates {
 }
 
 impl KeptLooks {
-    /// Prepares the next run. Returns true if the numbers of looks start again, so that templates with old numbers are wrong.
-    fn begin(&mut self) -> bool {
+    /// Takes the looks for the next run. Their numbers start again if there are many: then `templates` have wrong numbers.
+    fn begin(&mut self, templates: &mut KeptTemplates) -> LookTable {
         self.runs += 1;
-        let is_full = self.looks.is_full();
-        if is_full {
-            self.looks = LookTable::default();
-        }
-        self.looks.begin();
-        is_full
+        let mut looks = self.looks.take().filter(|looks| !looks.is_full()).unwrap_or_else(|| {
+            *templates = KeptTemplates::default();
+            LookTable::default()
+        });
+        looks.begin();
+        looks
     }
 }
 
@@ -90,8 +91,7 @@ impl RunOutcome {
     /// The result of a run that never begins because the watch is stopped.
     pub(crate) fn stopped(settings: &Settings) -> Option<Self> {
         let is_stopped = settings.watch.as_ref().is_some_and(|watch| watch.is_stopped());
-        let report = Report { stopped: true, ..Report::default() };
-        is_stopped.then_some(report.into())
+        is_stopped.then(|| Report { stopped: true, ..Report::default() }.into())
     }
 
     /// The report, after its prints were written to standard output with `echo`.
@@ -208,33 +208,27 @@ impl<R: Rules> Derivable for R {
     }
 }
 
-/// A run before its first rule.
-struct Begun {
-    env: Env,
-    around: Surroundings,
-    /// True if the templates of earlier runs are wrong.
-    drops_templates: bool,
-}
-
 /// Hands out the values of the attributes of a run; see [`Rules::used`].
 pub(crate) type UsedValues<'a> = &'a dyn Fn(&mut dyn FnMut(Option<Value>));
 
 impl Derivation<'_> {
     /// Runs the rules on the shape, among shapes of other initial shapes.
     pub(crate) fn run(&self, neighbours: Option<&Arc<Neighbours>>, kept: &mut Kept, sink: &mut dyn Sink) -> RunOutcome {
-        let Begun { mut env, around, drops_templates } = match self.begin(neighbours, &mut kept.looks, sink) {
-            Ok(begun) => begun,
+        let around = match self.surroundings(neighbours.cloned()) {
+            Ok(around) => around,
             Err(reason) => return reason.into(),
         };
-        if drops_templates {
-            kept.templates = KeptTemplates::default();
-        }
         let Kept { templates, looks } = kept;
-        let mut outcome = RunOutcome::default();
+        let mut env = self.env(around.clone(), looks.begin(templates));
+        env.run = looks.runs;
+        sink.begin();
+        sink.begin_building(self.shape.name(), self.shape.seed_value());
+        let mut outcome = None;
         self.rules.derive((self.start, self.shape), &mut env, templates, sink, &mut |env, sink, flow, used| {
-            outcome = self.end(env, around.clone(), flow, looks, sink, used);
+            outcome = Some(self.end(env, &around, flow, sink, used));
         });
-        outcome
+        looks.looks = Some(env.leaf_tables.looks);
+        outcome.unwrap_or_default()
     }
 
     /// Derives the run once more into a sink, with templates of its own.
@@ -245,37 +239,15 @@ impl Derivation<'_> {
         outcome
     }
 
-    /// Begins a run.
-    ///
-    /// # Errors
-    /// The derivation of the shapes that its queries find has an error or is stopped.
-    fn begin(
-        &self,
-        neighbours: Option<&Arc<Neighbours>>,
-        kept: &mut KeptLooks,
-        sink: &mut dyn Sink,
-    ) -> Result<Begun, NoResult> {
-        let around = self.surroundings(neighbours.cloned())?;
-        let mut env = self.env(around.clone());
-        sink.begin();
-        sink.begin_building(self.shape.name(), self.shape.seed_value());
-        let drops_templates = kept.begin();
-        env.run = kept.runs;
-        std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
-        Ok(Begun { env, around, drops_templates })
-    }
-
     /// Ends a run and tells the sink about its building.
     fn end(
         &self,
         env: &mut Env,
-        around: Surroundings,
+        around: &Surroundings,
         flow: Flow,
-        kept: &mut KeptLooks,
         sink: &mut dyn Sink,
         used: UsedValues<'_>,
     ) -> RunOutcome {
-        std::mem::swap(&mut env.leaf_tables.looks, &mut kept.looks);
         let mut outcome = outcome(env, flow);
         let keeps_tree = self.settings.tree && sink.keeps_tree();
         let make = || {
@@ -368,7 +340,7 @@ pub(crate) fn used_values(
     shape: &Shape,
     settings: &Settings,
 ) -> Result<Vec<Option<Value>>, Error> {
-    let mut env = start.env(rules.rule_tables(), shape, settings);
+    let mut env = start.env(rules.rule_tables(), shape, settings, LookTable::default());
     let mut list = Vec::new();
     rules.evaluate((start, shape), &mut env, &mut |value| list.push(value));
     env.error.take().map_or(Ok(list), Err)
@@ -390,9 +362,10 @@ impl Start {
     }
 
     /// The state of a run of the rules from it.
-    pub(super) fn env(self, tables: &RuleTables, shape: &Shape, settings: &Settings) -> Env {
+    pub(super) fn env(self, tables: &RuleTables, shape: &Shape, settings: &Settings, looks: LookTable) -> Env {
         let name = tables.starts.get(self.index).map_or_else(Text::default, |start| start.name.clone());
-        Env::new(settings, tables.rules.clone(), shape, name)
+        let leaves = LeafTables { names: tables.leaves.clone(), looks };
+        Env::new(settings, tables.rules.clone(), leaves, (shape, name))
     }
 }
 

@@ -14,6 +14,7 @@ use crate::run::settings::Repeats;
 use crate::run::shape_tree::ShapeTree;
 use crate::run::sink::{Cuboid, Filled, Flow, Leaf, Quad, Sink};
 use crate::run::surroundings::{Neighbours, Surroundings};
+use crate::shape::look_table::LookTable;
 
 /// A sink for runs without output.
 struct NoOutput;
@@ -38,11 +39,10 @@ impl Sink for NoOutput {
 
 impl Derivation<'_> {
     /// The state of the run before its first rule. Rules that ask for keys run without templates, which have leaves alone.
-    pub(super) fn env(&self, around: Surroundings) -> Env {
+    pub(super) fn env(&self, around: Surroundings, looks: LookTable) -> Env {
         let needs_keys = self.start.queries.has_any(Queries::TREE_KEY | Queries::INTRA_OCCLUSION);
-        let mut env = self.start.env(self.tables, self.shape, self.settings);
+        let mut env = self.start.env(self.tables, self.shape, self.settings, looks);
         env.tags_edges = self.tables.tags;
-        env.leaf_tables.names = self.tables.leaves.clone();
         if needs_keys {
             env.record_keys();
             env.settings.repeats = Repeats::Direct;
@@ -77,7 +77,7 @@ impl Derivation<'_> {
 
     /// Derives the run and collects its shapes. Its reports, prints and faults are dropped.
     fn collected(&self, around: Surroundings, collect: Collect) -> Result<Ghost, NoResult> {
-        let mut env = self.env(around);
+        let mut env = self.env(around, LookTable::default());
         env.collect(collect);
         let flow = self.derive_silently(&mut env);
         let is_complete = flow.is_continue() && env.spend(0).is_continue();
@@ -89,7 +89,7 @@ impl Derivation<'_> {
 
     /// The tree of the shapes of the run, which had that report. `None` if this derivation ends early or differs.
     pub(super) fn shape_tree(&self, report: &Report, around: Surroundings) -> Option<ShapeTree> {
-        let mut env = self.env(around);
+        let mut env = self.env(around, LookTable::default());
         env.settings.repeats = Repeats::Direct;
         env.record_tree();
         let flow = self.derive_silently(&mut env);

@@ -30,6 +30,7 @@ const MANY: usize = 1024;
 /// The looks of a run by number, and the results of changes.
 #[derive(Clone, Debug)]
 pub(crate) struct LookTable {
+    /// The first is the look that no rule has changed. It is not in the maps: most tables have no other.
     list: Vec<Arc<Look>>,
     /// The numbers by the address of the look.
     by_address: BTreeMap<u64, LookId>,
@@ -49,11 +50,10 @@ pub(crate) struct LookTable {
 
 impl Default for LookTable {
     fn default() -> Self {
-        let unset = UNSET.clone();
         LookTable {
-            by_address: BTreeMap::from([(address(&unset), LookId(0))]),
-            by_hash: HashMap::from_iter([(unset.hash(), vec![LookId(0)])]),
-            list: vec![unset],
+            by_address: BTreeMap::new(),
+            by_hash: HashMap::default(),
+            list: vec![UNSET.clone()],
             open: Vec::new(),
             last_open: None,
             temporary: Vec::new(),
@@ -124,6 +124,9 @@ impl LookTable {
             self.by_hash.get(&hash).and_then(|ids| ids.iter().find(|id| self.list[id.index() as usize] == *look));
         if let Some(&id) = found {
             return id;
+        }
+        if self.list[0].hash() == hash && self.list[0] == *look {
+            return LookId(0);
         }
         if most <= self.list.len() {
             return LookId::OF_BASE;

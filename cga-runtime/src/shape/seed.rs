@@ -18,14 +18,18 @@ pub(crate) enum Tag {
 }
 
 /// The seed of a shape, and the number of its draws so far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Seed {
     value: u64,
     draws: u32,
+    /// The number of steps since a seed that was given. It counts for templates: it is the power of [`FACTOR`] in [`Seed::factor`].
+    steps: u32,
 }
 
 /// The factor from a seed to the seeds of its children. It is odd, so no bit is lost.
 const FACTOR: u64 = 0x9fb2_1c65_1e98_df25;
+/// The number of steps of a seed that a rule has set. No derivation has as many steps.
+const SET: u32 = 1 << 31;
 /// The step from one drawn number to the next.
 const DRAW: u64 = 0x9e37_79b9_7f4a_7c15;
 /// The step from one slot of a split, or component of a comp, to the next.
@@ -44,21 +48,33 @@ pub(crate) const fn key(tag: Tag, number: u32) -> u64 {
     mix(((tag as u64) << 32 | number as u64).wrapping_add(DRAW))
 }
 
-/// The seed of the children of a step, before slot and repetition are known.
-#[inline(always)]
-pub(crate) fn step(parent: u64, key: u64) -> u64 {
-    parent.wrapping_mul(FACTOR).wrapping_add(key)
-}
-
-/// The seed of a part: a slot in a repetition of its group, or a component.
-#[inline(always)]
-pub(crate) fn part(step: u64, slot: u32, turn: u64) -> u64 {
-    step.wrapping_add(u64::from(slot).wrapping_mul(SLOT)).wrapping_add(turn.wrapping_mul(TURN))
-}
-
 impl Seed {
     pub(crate) const fn new(value: u64) -> Self {
-        Seed { value, draws: 0 }
+        Seed { value, draws: 0, steps: 0 }
+    }
+
+    /// A seed that a rule sets: it does not depend on the seed before it.
+    pub(crate) const fn set(value: u64) -> Self {
+        Seed { value, draws: 0, steps: SET }
+    }
+
+    /// The factor of the seed that was given at first, in the sum that this seed is.
+    pub(crate) fn factor(self) -> u64 {
+        if SET <= self.steps { 0 } else { FACTOR.wrapping_pow(self.steps) }
+    }
+
+    /// The seed of the children of a step, before slot and repetition are known.
+    #[inline(always)]
+    pub(crate) fn step(self, key: u64) -> Seed {
+        let value = self.value.wrapping_mul(FACTOR).wrapping_add(key);
+        Seed { value, draws: 0, steps: self.steps.wrapping_add(1) }
+    }
+
+    /// The seed of a part: a slot in a repetition of its group, or a component. This is the seed of the step.
+    #[inline(always)]
+    pub(crate) fn part(self, slot: u32, turn: u64) -> Seed {
+        let value = self.value.wrapping_add(u64::from(slot).wrapping_mul(SLOT)).wrapping_add(turn.wrapping_mul(TURN));
+        Seed { value, draws: 0, steps: self.steps }
     }
 
     pub(crate) fn value(self) -> u64 {
@@ -72,7 +88,7 @@ impl Seed {
 
     /// The seed of the child with a number.
     pub(crate) fn child(self, tag: Tag, number: u32) -> Seed {
-        Seed::new(step(self.value, key(tag, number)))
+        self.step(key(tag, number))
     }
 
     /// The seed for the components that an expression makes. It counts as a draw.

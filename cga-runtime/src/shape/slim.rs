@@ -137,7 +137,7 @@ impl<'a> ShapeRef<'a> {
     /// A copy with the seed of a child.
     #[inline]
     pub(crate) fn child(&self, key: u64) -> ShapeRef<'a> {
-        ShapeRef { seed: Cell::new(Seed::new(seed::step(self.seed.get().value(), key))), ..self.clone() }
+        ShapeRef { seed: Cell::new(self.seed.get().step(key)), ..self.clone() }
     }
 
     /// Returns true if there are implicit texture coordinates.
@@ -200,7 +200,7 @@ pub fn successor<'a>(shape: &ShapeRef<'a>, number: u32) -> ShapeRef<'a> {
 /// Turns the current shape into its last successor in a rule, after which nothing reads the shape.
 #[inline]
 pub fn become_successor(shape: &ShapeRef<'_>, number: u32) {
-    shape.seed.set(Seed::new(seed::step(shape.seed.get().value(), seed::key(Tag::Successor, number))));
+    shape.seed.set(shape.seed.get().step(seed::key(Tag::Successor, number)));
 }
 
 /// A copy of the current shape for `[ … ]`.

@@ -35,7 +35,7 @@ pub struct Division<'s> {
     made: Option<Box<[ShapeRef<'s>]>>,
     whole: Undivided,
     /// The seed of the step.
-    seed: u64,
+    seed: Seed,
     /// The repetitions begun so far, in all groups.
     turns: u64,
     index: usize,
@@ -131,7 +131,7 @@ impl<'s> Division<'s> {
     pub fn new(shape: &'s ShapeRef<'s>, made: &'s Made, axis: Axis, adjust: Adjust, number: u32, total: u64) -> Self {
         let whole = Undivided::of(shape, axis, adjust);
         let made = made.0.as_ref().map(|pieces| shapes(pieces));
-        let seed = seed::step(whole.seed.value(), seed::key(Tag::Split, number));
+        let seed = whole.seed.step(seed::key(Tag::Split, number));
         let (total, has_bands) = (total as usize, whole.unit.has_bands(axis));
         Division { shape, made, whole, seed, turns: 0, index: 0, total, has_bands }
     }
@@ -169,7 +169,7 @@ impl<'s> Division<'s> {
         let turn = if slot.in_group { self.turns } else { 0 };
         let part = self.place(axis, piece);
         if slot.draws {
-            part.seed.set(Seed::new(seed::part(seed, slot.number, turn)));
+            part.seed.set(seed.part(slot.number, turn));
         }
         if slot.counts {
             part.split.set(split);

@@ -16,8 +16,8 @@ pub(crate) struct Checkpoint {
     pub(crate) calls: u64,
     /// The number of shapes at which the watch ended the run.
     pub(crate) stopped_at: Option<u64>,
-    /// The highest count of shapes requested during the recording of a template. The checkpoint is then 0, so that
-    /// every request comes here.
+    /// The highest count of shapes requested during the recording of a template. The checkpoint is then no higher, so
+    /// that every higher request comes here.
     recorded: Option<u64>,
     /// In a run that stops at each shape, the number of shapes up to which no limit is reached and the watch need not be asked.
     quiet: u64,
@@ -71,6 +71,9 @@ impl Env {
         }
         if let Some(most) = &mut self.checkpoint.recorded {
             *most = wanted.max(*most);
+            if self.checkpoint.shapes != 0 {
+                self.checkpoint.shapes = *most;
+            }
             return ControlFlow::Continue(());
         }
         if self.stops_at_each_shape() {
@@ -95,8 +98,11 @@ impl Env {
 
     /// Begins to measure the room that a derivation requests. Returns the checkpoint to restore.
     pub(crate) fn measure_room(&mut self) -> u64 {
-        self.checkpoint.recorded = Some(self.shape_count());
-        std::mem::take(&mut self.checkpoint.shapes)
+        let (count, before) = (self.shape_count(), self.checkpoint.shapes);
+        self.checkpoint.recorded = Some(count);
+        // In a run that stops at each shape, it stays 0.
+        self.checkpoint.shapes = before.min(count);
+        before
     }
 
     /// Returns true while room is measured.
@@ -104,8 +110,7 @@ impl Env {
         self.checkpoint.measures_room()
     }
 
-    /// Returns true while the checkpoint is 0, so that each shape passes it: while room is measured, and in a run that records the tree of
-    /// shapes or their keys.
+    /// Returns true while the checkpoint is 0, so that each shape passes it: in a run that records the tree of shapes or their keys.
     fn stops_at_each_shape(&self) -> bool {
         self.checkpoint.shapes == 0
     }

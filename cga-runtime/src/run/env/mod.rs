@@ -47,12 +47,15 @@ pub(crate) use trail::Trail;
 /// threshold in metres. The limit keeps small parts on large sites; it also serves runs that start from a point.
 pub(crate) const TOO_SMALL: (f64, f64) = (1e-6, 1e-4);
 
+/// The length of most trails: a longer one grows.
+const USUAL_TRAIL: usize = 32;
+
 /// The largest count of shapes in a run; a count of [`ENDED`] marks a run that has ended.
 pub(crate) const MOST_SHAPES: u64 = u64::MAX / 8;
 pub(crate) const ENDED: u64 = u64::MAX / 4;
 
 /// The state of a run that does not depend on the sink.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Env {
     pub(crate) settings: Settings,
     /// Lets the watch end long operations of this thread, as long as the run lasts.
@@ -123,7 +126,12 @@ pub(crate) struct Initial {
 
 impl Env {
     /// The state of a run from that shape, with that start rule; `names` are the names of all rules.
-    pub(crate) fn new(settings: &Settings, names: Arc<[Text]>, shape: &Shape, start_rule: Text) -> Self {
+    pub(crate) fn new(
+        settings: &Settings,
+        names: Arc<[Text]>,
+        leaf_tables: LeafTables,
+        (shape, start_rule): (&Shape, Text),
+    ) -> Self {
         let extent = shape.scope.size.abs().max_element();
         let name = shape.state.get().map_or_else(Text::default, |state| state.name.clone());
         Env {
@@ -146,18 +154,38 @@ impl Env {
                 None => Supervisor::new(|_| true),
             }),
             too_small: if extent == 0.0 { TOO_SMALL.1 } else { (extent * TOO_SMALL.0).min(TOO_SMALL.1) },
+            tags_edges: false,
             names,
+            leaf_tables,
+            run: 0,
+            trail: Vec::with_capacity(USUAL_TRAIL),
+            before: None,
+            shapes: 0,
+            leaves: 0,
+            filled: 0,
             checkpoint: Checkpoint::first(settings),
             least_split: f64::INFINITY,
+            meshes: MeshCounts::default(),
             counts_looks: true,
-            ..Env::default()
+            reach: None,
+            calls: FunctionCalls::default(),
+            faults: FaultList::default(),
+            error: None,
+            reports: Reports::default(),
+            taped_reports: Vec::new(),
+            prints: Prints::default(),
+            tree: None,
+            scene: SceneState::default(),
+            recompositions: Recompositions::default(),
+            kept: KeptResults::default(),
         }
     }
 
     /// The state of a run, with names that are literals.
     #[cfg(test)]
     pub(crate) fn with_names(settings: &Settings, names: &[&'static str], shape: &Shape, start: &'static str) -> Self {
-        Env::new(settings, names.iter().copied().map(Text::fixed).collect(), shape, Text::fixed(start))
+        let names = names.iter().copied().map(Text::fixed).collect();
+        Env::new(settings, names, LeafTables::default(), (shape, Text::fixed(start)))
     }
 
     /// The state of a run from a box of 1 m.

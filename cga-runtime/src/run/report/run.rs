@@ -30,6 +30,9 @@ impl Report {
 
     /// Puts faults before all others. The first thousand are kept.
     pub(crate) fn begin_with(&mut self, faults: Vec<Fault>) {
+        if faults.is_empty() {
+            return;
+        }
         self.faults.splice(0..0, faults);
         let more = self.faults.split_off(self.faults.len().min(FAULTS_KEPT));
         self.faults_left_out += more.len() as u64;

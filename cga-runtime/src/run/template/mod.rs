@@ -38,11 +38,10 @@ use glam::{DAffine3, DMat3, DVec3};
 
 use crate::fixed_hash::FixedState;
 use crate::geometry::Axis;
-use crate::geometry::each::Each;
 use crate::geometry::mesh::Bounds;
 use crate::run::env::mesh_counts::MeshCounts;
 use crate::run::env::records::TapedReport;
-use crate::run::sink::corners::{PlacedBox, four};
+use crate::run::sink::corners::PlacedBox;
 use crate::shape::axes::Axes;
 use crate::shape::base::Form;
 use crate::shape::look_id::LookId;
@@ -55,6 +54,7 @@ use key::TemplateKey;
 use mesh_leaf::MeshLeaf;
 use paint::Paint;
 pub use part_id::PartId;
+use record::RecordedLists;
 pub use replay::Replay;
 pub use slot::RepeatedSlot;
 pub(crate) use tape::Tape;
@@ -81,6 +81,8 @@ pub(crate) struct Templates<C> {
     entries: HashMap<u64, Vec<TemplateEntry<C>>, FixedState>,
     /// The number of leaves, holes and corners of meshes in them, and of entries.
     kept: usize,
+    /// The lists of the last recording, for the next one.
+    lists: RecordedLists,
 }
 
 /// A template, or the knowledge that a shape has none.
@@ -136,13 +138,13 @@ enum TemplateBreak<C> {
 struct TemplateBody {
     /// True if it has the axes of the base, and false if it has the axes of the world.
     is_turned: bool,
-    leaves: Vec<TemplateLeaf>,
+    leaves: Box<[TemplateLeaf]>,
     /// The axes of the leaves.
-    frames: Vec<Axes>,
+    frames: Box<[Axes]>,
     /// The ranges of leaves before, between and after the breaks.
-    segments: Vec<LeafRange>,
-    marks: Vec<Mark>,
-    rows: Vec<LeafRow>,
+    segments: Box<[LeafRange]>,
+    marks: Box<[Mark]>,
+    rows: Box<[LeafRow]>,
 }
 
 /// A leaf with its position in a template.
@@ -250,7 +252,7 @@ const INHERITED: Counter = Counter::of(i32::MIN, 0);
 
 impl<C> Default for Templates<C> {
     fn default() -> Self {
-        Templates { entries: HashMap::default(), kept: 0 }
+        Templates { entries: HashMap::default(), kept: 0, lists: RecordedLists::default() }
     }
 }
 
@@ -344,12 +346,15 @@ impl<C> Template<C> {
             false => Axes::new(axes.matrix * frame.matrix),
         };
         let frames: Vec<Axes> = self.body.frames.iter().map(turn).collect();
+        let directions = |axes: &Axes| [axes.along(Axis::X), axes.along(Axis::Y), axes.along(Axis::Z)];
+        let [x, y, z] = directions(axes);
         let leaves = self.body.leaves.iter().map(|leaf| {
-            let (frame, size) = (&frames[leaf.frame as usize], leaf.size);
-            let sides = [(Axis::X, size.x), (Axis::Y, size.y), (Axis::Z, size.z)];
+            let TemplateLeaf { origin, size, .. } = *leaf;
+            let [u, v, w] = directions(&frames[leaf.frame as usize]);
+            // In the order of a product with the matrix, with the lanes of four coordinates.
             PlacedBox {
-                origin: four(axes.matrix * leaf.origin),
-                sides: sides.each(|(axis, size)| frame.along(axis) * size),
+                origin: x * origin.x + y * origin.y + z * origin.z,
+                sides: [u * size.x, v * size.y, w * size.z],
             }
         });
         Turned {

@@ -26,6 +26,7 @@ use crate::shape::axes::Axes;
 use crate::shape::base::{Base, Form};
 use crate::shape::look_id::LookId;
 use crate::shape::seed::Seed;
+use crate::value::read::KeptRead;
 
 /// The call of a rule on a part that repeats.
 pub(super) type PartFn<'f, C> = &'f mut dyn FnMut(&mut Cx<'_, C>, &ShapeRef<'_>) -> Flow;
@@ -38,13 +39,22 @@ enum Lost {
     Ended,
 }
 
+/// The lists of a recording. They grow once for all templates of a session.
+#[derive(Debug, Default)]
+pub(super) struct RecordedLists {
+    leaves: Vec<TemplateLeaf>,
+    frames: Vec<DMat3>,
+    segments: Vec<LeafRange>,
+    marks: Vec<Mark>,
+    rows: Vec<LeafRow>,
+}
+
 /// A sink that keeps leaves.
 struct Recorder<'r> {
     base: &'r Base,
     /// True if leaves may be meshes.
     is_whole: bool,
-    leaves: Vec<TemplateLeaf>,
-    frames: Vec<DMat3>,
+    lists: RecordedLists,
     /// The leaves that do not fill their scopes, each with the number of leaves before it that do.
     others: Vec<(usize, MeshLeaf)>,
 }
@@ -54,7 +64,7 @@ impl Recorder<'_> {
         if !self.is_whole || MOST <= self.others.len() {
             return Flow::Break(());
         }
-        self.others.push((self.leaves.len(), MeshLeaf::of(leaf, geometry)));
+        self.others.push((self.lists.leaves.len(), MeshLeaf::of(leaf, geometry)));
         Flow::Continue(())
     }
 }
@@ -64,20 +74,17 @@ impl Sink for Recorder<'_> {
         let shape = leaf.shape;
         // Coordinates follow from projections of the base.
         let is_known = !shape.look.get().may_have_coordinates() || std::ptr::eq(shape.base, self.base);
-        if !is_known || MOST <= self.leaves.len() {
+        if !is_known || MOST <= self.lists.leaves.len() {
             return Flow::Break(());
         }
-        let matrix = shape.axes.matrix;
-        let frame = self.frames.iter().position(|frame| *frame == matrix).unwrap_or_else(|| {
-            self.frames.push(matrix);
-            self.frames.len() - 1
-        });
-        self.leaves.push(TemplateLeaf {
+        // The first frame has the axes of the base.
+        let frame = if std::ptr::eq(shape.axes, self.base.axes()) { 0 } else { self.lists.frame(&shape.axes.matrix) };
+        self.lists.leaves.push(TemplateLeaf {
             origin: shape.origin(),
             size: shape.size.get(),
             unit: shape.unit.get(),
             form: shape.form,
-            frame: frame as u32,
+            frame,
             rule: leaf.rule,
             look: shape.look.get(),
         });
@@ -128,7 +135,7 @@ impl<C: Clone> Cx<'_, C> {
             form: shape.form,
             is_raised,
             look: shape.look.get(),
-            seed: [0, shape.seed.get().value()],
+            seed: [shape.seed.get().factor(), shape.seed.get().value()],
             split: shape.split.get(),
             levels,
             stack,
@@ -152,21 +159,7 @@ impl<C: Clone> Cx<'_, C> {
         let (least, too_small) = (self.env.least_split, self.env.too_small);
         self.env.least_split = f64::INFINITY;
         let key = TemplateKey::of(&slot, part, look);
-        let template = self.record(slot, (part, look), rule, 0).and_then(|mut template| {
-            template.reads.clone_from(&key.reads);
-            if !template.breaks.iter().any(|own| matches!(own, TemplateBreak::Hole(_))) {
-                return Ok(template);
-            }
-            // A seed is affine in the seed of the repetition: two points determine the line.
-            let other = self.record(slot, (part, look), rule, 1)?;
-            for pair in template.breaks.iter_mut().zip(&other.breaks) {
-                if let (TemplateBreak::Hole(hole), TemplateBreak::Hole(other)) = pair {
-                    let [_, at_zero] = hole.seed;
-                    hole.seed = [other.seed[1].wrapping_sub(at_zero), at_zero];
-                }
-            }
-            if template.breaks.len() == other.breaks.len() { Ok(template) } else { Err(Lost::Never) }
-        });
+        let template = self.record(slot, (part, look), rule, key.reads.clone());
         // Two runs with different thresholds agree on extents above the largest possible threshold.
         let no_matter = crate::run::env::TOO_SMALL.1 < self.env.least_split;
         self.env.least_split = least.min(self.env.least_split);
@@ -191,14 +184,13 @@ impl<C: Clone> Cx<'_, C> {
         slot: RepeatedSlot<'_>,
         (part, look): (&ShapeRef<'_>, LookId),
         rule: PartFn<'_, C>,
-        seed: u64,
+        reads: Box<[KeptRead]>,
     ) -> Result<Template<C>, Lost> {
         let (before, count) = (self.env.state(), self.env.shape_count());
         let checkpoint = self.env.measure_room();
         let base = Base::at_origin(part, look, slot.reads_axes);
-        let frames = vec![base.axes().matrix];
-        let mut recorder =
-            Recorder { base: &base, is_whole: slot.is_whole, leaves: Vec::new(), frames, others: Vec::new() };
+        let lists = self.templates.lists.begun(base.axes().matrix);
+        let mut recorder = Recorder { base: &base, is_whole: slot.is_whole, lists, others: Vec::new() };
         let (filled, leaves, trail) = (self.env.filled, self.env.leaves, self.env.trail.len());
         let tape = Tape { base: &base, filled, leaves, trail, holes: Vec::new() };
         self.env.reach = None;
@@ -215,12 +207,14 @@ impl<C: Clone> Cx<'_, C> {
             is_operand: self.is_operand,
         };
         let shape = base.shape();
-        shape.seed.set(Seed::new(seed));
+        // So the seeds of holes are sums, and say which factor the seed of a repetition gets.
+        shape.seed.set(Seed::new(0));
         shape.split.set(INHERITED);
         let flow = rule(&mut cx, &shape);
         let is_complete = flow.is_continue() && cx.waiting.is_empty();
         let holes = cx.tape.take().map(|tape| tape.holes).unwrap_or_default();
-        let Recorder { leaves, frames, others, .. } = recorder;
+        let Recorder { lists, others, .. } = recorder;
+        self.templates.lists = lists;
         let shapes = self.env.shapes.saturating_sub(before.shapes);
         let meshes = self.env.state().meshes.since(before.meshes);
         let reach = self.env.reach.take();
@@ -236,22 +230,17 @@ impl<C: Clone> Cx<'_, C> {
         if !is_complete || !is_quiet || has_missed || MOST_TAPED < reports.len() {
             return Err(Lost::Never);
         }
-        let body = TemplateBody {
-            is_turned: !slot.reads_axes,
-            leaves,
-            frames: frames.into_iter().map(Axes::new).collect(),
-            segments: Vec::new(),
-            marks: Vec::new(),
-            rows: Vec::new(),
-        };
-        let looks = || body.leaves.iter().map(|leaf| leaf.look).chain(holes.iter().map(|hole| hole.look));
+        let hole_looks: Vec<LookId> = holes.iter().map(|hole| hole.look).collect();
+        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
+        let lists = &mut self.templates.lists;
+        lists.divide(ends.into_iter());
+        let looks = || lists.marks.iter().map(|mark| mark.look).chain(hole_looks.iter().copied());
         let is_lasting = looks().all(LookId::is_lasting);
         let mut open: Vec<LookId> = looks().filter(|look| self.env.leaf_tables.looks.is_open(*look)).collect();
         open.small_sort_unstable_by(|a, b| a.0.cmp(&b.0));
         open.dedup();
-        let (ends, breaks): (Vec<usize>, Vec<_>) = in_order(holes, others, reports).into_iter().unzip();
         let counts = TemplateCounts { shapes, room, meshes };
-        let (body, reads, open) = (body.divided(ends.into_iter()), Box::default(), open.into());
+        let (body, open) = (lists.taken(!slot.reads_axes), open.into());
         Ok(Template { counts, body, breaks, reach, reads, open, is_lasting })
     }
 }
@@ -278,45 +267,66 @@ fn in_order<C>(
     breaks
 }
 
-impl TemplateBody {
+impl RecordedLists {
+    /// Takes the lists for a recording of a shape with those axes.
+    fn begun(&mut self, axes: DMat3) -> Self {
+        let mut lists = std::mem::take(self);
+        lists.leaves.clear();
+        lists.leaves.reserve(MOST);
+        lists.frames.clear();
+        lists.frames.push(axes);
+        lists
+    }
+
+    /// The index of axes among the frames.
+    fn frame(&mut self, axes: &DMat3) -> u32 {
+        let known = self.frames.iter().position(|frame| frame == axes);
+        known.unwrap_or_else(|| {
+            self.frames.push(*axes);
+            self.frames.len() - 1
+        }) as u32
+    }
+
+    /// The body of the template. Takes everything out of the lists.
+    fn taken(&mut self, is_turned: bool) -> TemplateBody {
+        TemplateBody {
+            is_turned,
+            leaves: self.leaves.drain(..).collect(),
+            frames: self.frames.drain(..).map(Axes::new).collect(),
+            segments: self.segments.drain(..).collect(),
+            marks: self.marks.drain(..).collect(),
+            rows: self.rows.drain(..).collect(),
+        }
+    }
+
     /// Divides the leaves at the breaks, and finds consecutive leaves that are alike.
-    fn divided(mut self, breaks: impl Iterator<Item = usize>) -> Self {
-        let ends = breaks.chain([self.leaves.len()]);
+    fn divide(&mut self, breaks: impl Iterator<Item = usize>) {
+        let Self { leaves, segments, marks, rows, .. } = self;
+        let is_box = |leaf: &TemplateLeaf| leaf.form == Form::Box;
         let mut start = 0;
-        for end in ends {
-            let (first_mark, first_row) = (self.marks.len(), self.rows.len());
-            let (mut corners, mut is_plain, mut may_have_coordinates) = (0, true, false);
-            for (at, leaf) in self.leaves[..end].iter().enumerate().skip(start) {
-                is_plain &= matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box);
-                may_have_coordinates |= leaf.look.may_have_coordinates();
-                let own = 4 * leaf.unit.face_count();
-                match self.marks[first_mark..].last_mut() {
-                    Some(mark) if mark.rule == leaf.rule && mark.look == leaf.look => {
-                        mark.leaves += 1;
-                        mark.corners += own;
-                    }
-                    _ => {
-                        let TemplateLeaf { rule, look, .. } = *leaf;
-                        self.marks.push(Mark { rule, look, leaves: 1, corners: own, before: corners as u32 });
-                    }
-                }
-                let is_box = leaf.form == Form::Box;
-                match self.rows[first_row..].last_mut() {
-                    Some(row) if row.is_box == is_box && row.frame == leaf.frame => row.leaves.end += 1,
-                    _ => self.rows.push(LeafRow { is_box, frame: leaf.frame, leaves: at..at + 1 }),
-                }
+        for end in breaks.chain([leaves.len()]) {
+            let (first_mark, first_row, leaves) = (marks.len(), rows.len(), &leaves[start.min(end)..end]);
+            let mut corners = 0;
+            for alike in leaves.chunk_by(|a, b| a.rule == b.rule && a.look == b.look) {
+                let TemplateLeaf { rule, look, .. } = alike[0];
+                let own = alike.iter().map(|leaf| 4 * leaf.unit.face_count()).sum();
+                marks.push(Mark { rule, look, leaves: alike.len(), corners: own, before: corners as u32 });
                 corners += own;
             }
-            self.segments.push(LeafRange {
+            let mut at = start;
+            for row in leaves.chunk_by(|a, b| is_box(a) == is_box(b) && a.frame == b.frame) {
+                rows.push(LeafRow { is_box: is_box(&row[0]), frame: row[0].frame, leaves: at..at + row.len() });
+                at += row.len();
+            }
+            segments.push(LeafRange {
                 leaves: start..end,
-                marks: first_mark..self.marks.len(),
-                rows: first_row..self.rows.len(),
+                marks: first_mark..marks.len(),
+                rows: first_row..rows.len(),
                 corners,
-                is_plain,
-                may_have_coordinates,
+                is_plain: leaves.iter().all(|leaf| matches!(leaf.form, Form::Rect(Axis::Z) | Form::Box)),
+                may_have_coordinates: marks[first_mark..].iter().any(|mark| mark.look.may_have_coordinates()),
             });
             start = end;
         }
-        self
     }
 }

@@ -55,6 +55,14 @@ fn assert_independent(what: &str, numbers: &[f64]) {
     assert!(off.abs() < 5.0, "{what}: correlation {off:.1} standard deviations");
 }
 
+fn step(parent: u64, key: u64) -> u64 {
+    Seed::new(parent).step(key).value()
+}
+
+fn part(step: u64, slot: u32, turn: u64) -> u64 {
+    Seed::new(step).part(slot, turn).value()
+}
+
 /// All seeds of a tree of splits: `slots` slots in `turns` repetitions at each of `levels` levels.
 fn tree(root: u64, levels: u32, slots: u32, turns: u64) -> Vec<u64> {
     let mut list = vec![root];
@@ -150,5 +158,21 @@ fn first_numbers_collide_as_often_as_random_ones() {
         places.sort_unstable();
         places.dedup();
         assert!((8..=64).contains(&(count - places.len())), "{}", count - places.len());
+    }
+}
+
+#[test]
+fn a_seed_is_its_factor_times_the_first_seed_and_a_sum() {
+    let below = |first: Seed, levels: u32| {
+        let level = |seed: Seed, level| seed.step(key(Tag::Split, level)).part(level, 5).child(Tag::Push, 1);
+        (0..levels).fold(first, level)
+    };
+    for levels in 0..5 {
+        let sum = below(Seed::new(0), levels).value();
+        for first in [1, 7, u64::MAX] {
+            let seed = below(Seed::new(first), levels);
+            assert_eq!(seed.value(), seed.factor().wrapping_mul(first).wrapping_add(sum));
+            assert_eq!(below(Seed::set(first), levels).factor(), 0);
+        }
     }
 }
