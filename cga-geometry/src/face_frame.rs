@@ -29,7 +29,7 @@ pub fn face_frame(mesh: &Mesh, face: usize) -> Option<FaceFrame> {
     face_frame_along(mesh, face, mesh.face(face).normal())
 }
 
-/// The same for a face whose [normal](FaceRef::normal) is known.
+/// The same for a face whose [normal](crate::mesh::FaceRef::normal) is known.
 ///
 /// # Panics
 /// Panics if the face does not exist.
