@@ -116,7 +116,7 @@ impl FaceAxes {
     }
 }
 
-/// Returns true if four corners are no parallelogram, much beyond the tolerance for rectangles.
+/// Returns true if four corners differ from a parallelogram by far more than the tolerance for rectangles.
 #[inline]
 fn is_far_from_parallelogram([a, b, c, d]: &[DVec3; 4]) -> bool {
     let open = (*a - *b) + (*c - *d);

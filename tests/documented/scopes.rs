@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use cga::{Assets, MeshBuilder, Model, Settings, Shape, cga};
-use cga_tests::pages::scope;
+use cga_tests::pages::{inserting, scope};
 
 cga! {
     @Allow(undefined_rule, missing_asset)
@@ -82,22 +82,6 @@ cga! {
                color("#ff0000")
                X
 
-    # i operation, Window insertion
-    @StartRule
-    Windows -->
-       extrude(47)
-       comp(f){side : Facade  |
-               top :  X }
-    Facade -->
-       split(y) { { ~1 : X |
-                    ~8 : Floor }* |
-                  ~1 : X }
-    Floor -->
-       split(x) { { ~1 : X |
-                    ~5 : Window }* |
-                  ~1 : X }
-    Window --> i("window.obj")
-
     @StartRule
     Extruded --> extrude(10)
     @StartRule
@@ -120,9 +104,7 @@ fn block(low: [f64; 3], size: [f64; 3]) -> cga::Mesh {
 }
 
 fn run(rule: &str, shape: &Shape) -> Model {
-    let assets = Assets::new()
-        .with("beethoven.obj", block([12.3, 4.3, 7.2], [2.0, 4.0, 6.0]))
-        .with("window.obj", block([0.0; 3], [1.0, 1.0, 0.25]));
+    let assets = Assets::new().with("beethoven.obj", block([12.3, 4.3, 7.2], [2.0, 4.0, 6.0]));
     let settings = Settings { start: Some(rule.into()), assets: Arc::new(assets), ..Settings::default() };
     let model = Pages::default().generate_with(shape, &settings).unwrap();
     assert!(model.faults().is_empty(), "{:?}", model.faults());
@@ -244,7 +226,10 @@ fn centring_along_each_choice_of_axes() {
 #[test]
 fn windows_on_a_facade() {
     // 47 metres of 1 and 8 give five floors; 20 of 1 and 5 give three windows, 14 give two.
-    let model = run("Windows", &Shape::rectangle(20.0, 14.0));
+    let assets = Assets::new().with("window.obj", block([0.0; 3], [1.0, 1.0, 0.25]));
+    let settings = Settings { assets: Arc::new(assets), ..Settings::default() };
+    let model = (inserting::windows::EXAMPLE.run)(&Shape::rectangle(20.0, 14.0), &settings).unwrap();
+    assert!(model.faults().is_empty(), "{:?}", model.faults());
     assert_eq!(model.count("Window"), 5 * 2 * (3 + 2));
     let window = model.leaves_of("Window").next().unwrap();
     let (wide, high) = (5.0 * 20.0 / 19.0, 8.0 * 47.0 / 46.0);

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use cga::mesh::FaceTag;
 use cga::{Assets, Color, Material, Mesh, MeshBuilder, Settings};
 
+use super::meshes::{reversed, wall};
 use super::{cutting, meshes};
 
 /// Settings with all assets of the pages.
@@ -73,22 +74,13 @@ fn lying_window() -> Mesh {
     ])
 }
 
-/// A point for each corner of a profile in x and y, at a place on z.
-fn profile_at(builder: &mut MeshBuilder, profile: &[[f64; 2]], z: f64) -> Vec<u32> {
-    profile.iter().map(|[x, y]| builder.point([*x, *y, z])).collect()
-}
-
 /// A closed prism along z over a profile in x and y, counter-clockwise.
 fn prism(profile: &[[f64; 2]], length: f64) -> Mesh {
     let mut builder = MeshBuilder::new();
-    let [mut back, front] = [0.0, length].map(|z| profile_at(&mut builder, profile, z));
-    for at in 0..profile.len() {
-        let next = (at + 1) % profile.len();
-        builder.polygon(&[front[at], back[at], back[next], front[next]]);
-    }
-    builder.polygon(&front);
-    back.reverse();
-    builder.polygon(&back);
+    let mut ring = |z: f64| -> Vec<u32> { profile.iter().map(|[x, y]| builder.point([*x, *y, z])).collect() };
+    let (back, front) = (ring(0.0), ring(length));
+    wall(&mut builder, &back, &front, FaceTag::PLAIN);
+    builder.polygon(&front).polygon(&reversed(&back));
     builder.build().expect("a prism")
 }
 
@@ -106,23 +98,18 @@ fn guardrail() -> Mesh {
     ])
 }
 
-fn circle(sides: u32, radius: f64) -> impl Iterator<Item = [f64; 2]> {
-    let angle = move |at: u32| TAU * f64::from(at) / f64::from(sides);
-    (0..sides).map(move |at| [radius * libm::sin(angle(at)), radius * libm::cos(angle(at))])
+/// Points on a circle about the y axis, counter-clockwise as seen from above.
+fn circle(builder: &mut MeshBuilder, sides: u32, radius: f64, y: f64) -> Vec<u32> {
+    let angle = |at: u32| TAU * f64::from(at) / f64::from(sides);
+    (0..sides).map(|at| builder.point([radius * libm::sin(angle(at)), y, radius * libm::cos(angle(at))])).collect()
 }
 
 /// A closed cylinder about the y axis, of 16 sides.
 fn standing_cylinder() -> Mesh {
     let mut builder = MeshBuilder::new();
-    let [mut low, high] =
-        [0.0, 4.0].map(|y| circle(16, 0.5).map(|[x, z]| builder.point([x, y, z])).collect::<Vec<u32>>());
-    for at in 0..16 {
-        let next = (at + 1) % 16;
-        builder.polygon(&[low[at], low[next], high[next], high[at]]);
-    }
-    builder.polygon(&high);
-    low.reverse();
-    builder.polygon(&low);
+    let [low, high] = [0.0, 4.0].map(|y| circle(&mut builder, 16, 0.5, y));
+    wall(&mut builder, &low, &high, FaceTag::PLAIN);
+    builder.polygon(&high).polygon(&reversed(&low));
     builder.build().expect("a cylinder")
 }
 
@@ -136,21 +123,10 @@ fn tree() -> Mesh {
         material
     }));
     let crown = FaceTag { group: 0, material: 0, ..FaceTag::PLAIN };
-    let heights = [2.2, 2.8, 4.0, 5.6, 6.6, 7.0];
-    let radii = [0.6, 1.5, 2.0, 1.7, 0.9, 0.2];
-    let rings: Vec<Vec<u32>> = heights
-        .iter()
-        .zip(radii)
-        .map(|(y, radius)| circle(12, radius).map(|[x, z]| builder.point([x, *y, z])).collect())
-        .collect();
-    for pair in rings.windows(2) {
-        for at in 0..12 {
-            let next = (at + 1) % 12;
-            builder.face(&[pair[0][at], pair[0][next], pair[1][next], pair[1][at]], &[], crown);
-        }
-    }
-    let low: Vec<u32> = rings[0].iter().rev().copied().collect();
-    builder.face(&low, &[], crown).face(&rings[5], &[], crown);
+    let profile = [[0.6, 2.2], [1.5, 2.8], [2.0, 4.0], [1.7, 5.6], [0.9, 6.6], [0.2, 7.0]];
+    let rings = profile.map(|[radius, y]| circle(&mut builder, 12, radius, y));
+    rings.windows(2).for_each(|pair| wall(&mut builder, &pair[0], &pair[1], crown));
+    builder.face(&reversed(&rings[0]), &[], crown).face(&rings[5], &[], crown);
     let trunk = FaceTag { group: 1, material: 1, ..FaceTag::PLAIN };
     meshes::block(&mut builder, [-0.25, 0.0, -0.25], [0.5, 3.5, 0.5], trunk);
     builder.build().expect("a tree")
@@ -168,23 +144,18 @@ fn pyramid() -> Mesh {
 /// A flat ring that touches the sides of its square.
 fn flat_ring() -> Mesh {
     let mut builder = MeshBuilder::new();
-    let [inner, outer] =
-        [0.38, 0.5].map(|radius| circle(16, radius).map(|[x, z]| builder.point([x, 0.0, z])).collect::<Vec<u32>>());
-    (0..16).for_each(|at| _ = builder.polygon(&[outer[at], outer[(at + 1) % 16], inner[(at + 1) % 16], inner[at]]));
+    let [inner, outer] = [0.38, 0.5].map(|radius| circle(&mut builder, 16, radius, 0.0));
+    wall(&mut builder, &outer, &inner, FaceTag::PLAIN);
     builder.build().expect("a ring")
 }
 
 /// A ring with a square section.
 fn ring() -> Mesh {
     let mut builder = MeshBuilder::new();
-    let corners = [[0.36, 0.0], [0.5, 0.0], [0.5, 1.0], [0.36, 1.0]];
-    let rings =
-        corners.map(|[radius, y]| circle(16, radius).map(|[x, z]| builder.point([x, y, z])).collect::<Vec<u32>>());
-    for (ring, above) in rings.iter().zip(rings.iter().cycle().skip(1)) {
-        for at in 0..16 {
-            let next = (at + 1) % 16;
-            builder.polygon(&[ring[at], ring[next], above[next], above[at]]);
-        }
+    let section = [[0.36, 0.0], [0.5, 0.0], [0.5, 1.0], [0.36, 1.0]];
+    let rings = section.map(|[radius, y]| circle(&mut builder, 16, radius, y));
+    for (ring, next) in rings.iter().zip(rings.iter().cycle().skip(1)) {
+        wall(&mut builder, ring, next, FaceTag::PLAIN);
     }
     builder.build().expect("a ring")
 }

@@ -12,15 +12,15 @@ fn circle(builder: &mut MeshBuilder, sides: u32, radius: f64, x: f64) -> Vec<u32
     (0..sides).map(|at| builder.point(point(at))).collect()
 }
 
-/// Four-sided faces from one circle to another. They look outwards when `low` has the smaller x.
-fn wall(builder: &mut MeshBuilder, low: &[u32], high: &[u32]) {
+/// Four-sided faces from one ring to another. They look outwards if both rings are counter-clockwise, as seen from `high`.
+pub(super) fn wall(builder: &mut MeshBuilder, low: &[u32], high: &[u32], tag: FaceTag) {
     for at in 0..low.len() {
         let next = (at + 1) % low.len();
-        builder.polygon(&[low[at], low[next], high[next], high[at]]);
+        builder.face(&[low[at], low[next], high[next], high[at]], &[], tag);
     }
 }
 
-fn reversed(ring: &[u32]) -> Vec<u32> {
+pub(super) fn reversed(ring: &[u32]) -> Vec<u32> {
     ring.iter().rev().copied().collect()
 }
 
@@ -31,7 +31,7 @@ fn reversed(ring: &[u32]) -> Vec<u32> {
 pub fn lying_cylinder(sides: u32, radius: f64, length: f64) -> Mesh {
     let mut builder = MeshBuilder::new();
     let [low, high] = [0.0, length].map(|x| circle(&mut builder, sides, radius, x));
-    wall(&mut builder, &low, &high);
+    wall(&mut builder, &low, &high, FaceTag::PLAIN);
     builder.polygon(&reversed(&low));
     builder.polygon(&high);
     builder.build().expect("a cylinder")
@@ -45,8 +45,8 @@ pub fn lying_tube(sides: u32, radii: [f64; 2], length: f64) -> Mesh {
     let mut builder = MeshBuilder::new();
     let [[inner_low, inner_high], [low, high]] =
         radii.map(|radius| [0.0, length].map(|x| circle(&mut builder, sides, radius, x)));
-    wall(&mut builder, &low, &high);
-    wall(&mut builder, &reversed(&inner_low), &reversed(&inner_high));
+    wall(&mut builder, &low, &high, FaceTag::PLAIN);
+    wall(&mut builder, &reversed(&inner_low), &reversed(&inner_high), FaceTag::PLAIN);
     builder.face(&reversed(&low), &[&inner_low], FaceTag::PLAIN);
     builder.face(&high, &[&reversed(&inner_high)], FaceTag::PLAIN);
     builder.build().expect("a tube")
