@@ -11,14 +11,9 @@ use cga_tests::tutorial::{blocks, programs, steps};
 
 use super::package::{Package, target};
 
-/// The features that documents use. A new package has this edition.
-const MANIFEST: &str = "[package]\nname = \"outside\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n\
-                        [dependencies]\ncga = { path = \"ROOT\", features = [\"live\", \"geo-types\", \"serde\"] }\n\n[workspace]\n";
-
 #[test]
 fn documents_hold_in_a_package_of_a_user() {
     let package = Package::new("outside", "cga", "");
-    package.write("Cargo.toml", &MANIFEST.replace("ROOT", &root().display().to_string()));
     package.write("src/lib.rs", "");
     let doc = target().join("doc");
     let _ = fs::remove_dir_all(&doc);

@@ -1,4 +1,4 @@
-//! A package of a user, outside the workspace. All of them share one folder of artifacts, so `cga` is checked once.
+//! A package of a user, outside the workspace. All of them share one folder of artifacts and the features of `cga`, so it is checked once.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,13 +16,15 @@ pub(crate) struct Package {
 }
 
 impl Package {
-    /// A package that depends on `cga` under the name `dependency`. `more` follows in its manifest.
+    /// A package that depends on `cga` under the name `dependency`, with the edition of new packages and the features that documents use.
+    /// `more` follows in its manifest.
     pub(crate) fn new(name: &str, dependency: &str, more: &str) -> Self {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let package = Package { folder };
         let manifest = format!(
-            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2021\"\npublish = false\n\n[dependencies]\n\
-             {dependency} = {{ package = \"cga\", path = {:?}, default-features = false }}\n\n{more}\n[workspace]\n",
+            "[package]\nname = \"{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\npublish = false\n\n[dependencies]\n\
+             {dependency} = {{ package = \"cga\", path = {:?}, features = [\"live\", \"geo-types\", \"serde\"] }}\n\n{more}\n\
+             [workspace]\n",
             root()
         );
         package.write("Cargo.toml", &manifest);

@@ -177,7 +177,9 @@ fn leaf(a: &LeafView<'_>, b: &LeafView<'_>, tolerance: Tolerance) -> Difference 
             let [a, b] = [placement.transform_point3(*a), place.transform_point3(*b)];
             (!tolerance.vectors(a, b, 0.0)).then(|| format!("{a} and {b}"))
         };
-        let (at, found) = mesh.points().iter().zip(other.points()).map(world).enumerate().find(|it| it.1.is_some())?;
+        let (mine, its) = (Numbering::of(&mesh), Numbering::of(&other));
+        let pairs = mine.points(&mesh).zip(its.points(&other));
+        let (at, found) = pairs.map(world).enumerate().find(|it| it.1.is_some())?;
         found.map(|text| format!("the position of vertex {at}: {text}"))
     };
     same("the rule", a.rule(), b.rule())
@@ -272,10 +274,38 @@ fn rounding(mesh: &Mesh, set: usize, placement: &DAffine3) -> Vec<f64> {
     numbers.into_iter().map(|point| most[point as usize]).collect()
 }
 
+/// The points of a mesh in the order in which its faces come to them. Rounding may change the order in which an operation makes them.
+#[derive(Default)]
+struct Numbering {
+    order: Vec<u32>,
+    loops: Vec<Vec<Vec<u32>>>,
+}
+
+impl Numbering {
+    fn of(mesh: &Mesh) -> Self {
+        let mut numbering = Self::default();
+        let mut numbers = vec![None; mesh.points().len()];
+        for face in mesh.faces() {
+            let mut number = |point: &u32| {
+                *numbers[*point as usize].get_or_insert_with(|| {
+                    numbering.order.push(*point);
+                    numbering.order.len() as u32 - 1
+                })
+            };
+            numbering.loops.push(face.loops().map(|ring| ring.iter().map(&mut number).collect()).collect());
+        }
+        // Points without a face keep their order.
+        numbering.order.extend((0..).zip(&numbers).filter(|(_, number)| number.is_none()).map(|(point, _)| point));
+        numbering
+    }
+
+    fn points<'m>(&'m self, mesh: &'m Mesh) -> impl Iterator<Item = &'m DVec3> {
+        self.order.iter().map(move |point| &mesh.points()[*point as usize])
+    }
+}
+
 /// Everything about two meshes but positions. The placement is of the first.
 fn faces(a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: Tolerance) -> Difference {
-    let loops =
-        |mesh: &Mesh| mesh.faces().map(|face| face.loops().map(<[u32]>::to_vec).collect()).collect::<Vec<Vec<_>>>();
     let list = |mesh: &Mesh, what: fn(&Mesh, FaceTag) -> String| {
         mesh.faces().map(|face| what(mesh, face.tag())).collect::<Vec<_>>()
     };
@@ -285,7 +315,7 @@ fn faces(a: &Mesh, b: &Mesh, placement: &DAffine3, tolerance: Tolerance) -> Diff
     let by_name = |what: &str, tell: fn(&Mesh, FaceTag) -> String| same(what, &list(a, tell), &list(b, tell));
     same("the number of faces", &a.face_count(), &b.face_count())
         .or_else(|| same("the number of vertices", &a.points().len(), &b.points().len()))
-        .or_else(|| same("the loops of the faces", &loops(a), &loops(b)))
+        .or_else(|| same("the loops of the faces", &Numbering::of(a).loops, &Numbering::of(b).loops))
         .or_else(|| by_name("the caps", |_, tag| tag.cap.to_string()))
         .or_else(|| by_name("the tags", |mesh, tag| format!("{:?}", mesh.tag_sets().get(tag.tags as usize))))
         .or_else(|| by_name("the groups", |mesh, tag| format!("{:?}", mesh.groups().get(tag.group as usize))))

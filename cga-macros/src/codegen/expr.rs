@@ -299,31 +299,35 @@ impl Generator<'_> {
         Span::mixed_site().located_at(self.source.span(path).1)
     }
 
-    /// The arguments of a Rust function of the user: text arrives as `&str`, and each argument keeps its span.
+    /// A call of a Rust function of the user with its arguments.
     pub(super) fn with_rust_args(
         &self,
         args: &[Expr],
         at: &Access,
         call: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
-        let place = location::current();
         let values = args.iter().map(|arg| self.expr(arg, at));
-        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
-        let passed: Vec<TokenStream> = names
-            .iter()
-            .zip(args)
-            .map(|(name, arg)| {
-                let here = place.located_at(self.source.token(arg.span.first));
-                let name = Ident::new(&name.to_string(), here);
-                match arg.ty {
-                    Type::Text => quote_spanned!(here=> cga_rt::host::as_str(&#name)),
-                    ty if ty.is_array() => quote_spanned!(here=> &#name),
-                    _ => quote!(#name),
-                }
-            })
-            .collect();
+        let (names, passed) = self.passed(args);
         let call = call(&passed);
         code!({ #(let #names = #values;)* #call })
+    }
+
+    /// The locals of arguments of a Rust function of the user, and how it takes them: text arrives as `&str`, and each argument keeps its
+    /// span.
+    pub(super) fn passed(&self, args: &[Expr]) -> (Vec<Ident>, Vec<TokenStream>) {
+        let place = location::current();
+        let names: Vec<Ident> = (0..args.len()).map(|number| local("a", number)).collect();
+        let passed = names.iter().zip(args).map(|(name, arg)| {
+            let here = place.located_at(self.source.token(arg.span.first));
+            let name = Ident::new(&name.to_string(), here);
+            match arg.ty {
+                Type::Text => quote_spanned!(here=> cga_rt::host::as_str(&#name)),
+                ty if ty.is_array() => quote_spanned!(here=> &#name),
+                _ => quote!(#name),
+            }
+        });
+        let passed = passed.collect();
+        (names, passed)
     }
 }
 

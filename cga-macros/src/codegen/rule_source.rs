@@ -8,7 +8,7 @@ use cga_source::rust::{Header, shown};
 use proc_macro2::TokenStream;
 use quote::quote_spanned;
 
-use super::{Generator, inner_type, local, types};
+use super::{Generator, inner_type, types};
 use crate::output::{HostType, conversion, convert};
 
 impl Generator<'_> {
@@ -81,7 +81,7 @@ impl Generator<'_> {
                     let path = self.source.path(expr.span.first, path);
                     let here = self.at_path(expr.span);
                     let convert = conversion(HostType::Is(expr.ty), here);
-                    let (lets, passed) = arguments(args);
+                    let (lets, passed) = self.arguments(args);
                     let call = quote_spanned!(here=> cga_rt::host::#convert(&#path(#(#passed),*)));
                     valued(expr.ty, &code!(|args| { #lets cga_rt::Value::from(#call) }))
                 });
@@ -94,7 +94,7 @@ impl Generator<'_> {
                 add(spelling(path), args, "operation", &|| {
                     let path = self.source.path(step.span.first, path);
                     let here = self.at_path(step.span);
-                    let (lets, passed) = arguments(args);
+                    let (lets, passed) = self.arguments(args);
                     let call =
                         quote_spanned!(here=> cga_rt::host::operate(env, shape, |shape| #path(shape, #(#passed),*)));
                     code!(Operation(|env, shape, args| { #lets #call; }))
@@ -103,30 +103,22 @@ impl Generator<'_> {
         }
         calls
     }
+
+    /// Arguments as locals, and as Rust functions take them.
+    fn arguments(&self, args: &[Expr]) -> (TokenStream, Vec<TokenStream>) {
+        let (names, passed) = self.passed(args);
+        let lets = names.iter().zip(args).enumerate().map(|(number, (name, arg))| {
+            let ty = inner_type(arg.ty);
+            code!(let #name: #ty = cga_rt::host::argument(args, #number);)
+        });
+        (lets.collect(), passed)
+    }
 }
 
 /// The variant for code that gives a value.
 fn valued(ty: Type, code: &TokenStream) -> TokenStream {
     let ty = types::variant(ty);
     code!(Value(cga_rt::ValueType::#ty, #code))
-}
-
-/// Arguments as locals, and as Rust functions take them.
-fn arguments(args: &[Expr]) -> (TokenStream, Vec<TokenStream>) {
-    let names = |number: usize| local("a", number);
-    let lets = args.iter().enumerate().map(|(number, arg)| {
-        let (name, ty) = (names(number), inner_type(arg.ty));
-        code!(let #name: #ty = cga_rt::host::argument(args, #number);)
-    });
-    let passed = args.iter().enumerate().map(|(number, arg)| {
-        let name = names(number);
-        match arg.ty {
-            Type::Text => code!(cga_rt::host::as_str(&#name)),
-            ty if ty.is_array() => code!(&#name),
-            _ => code!(#name),
-        }
-    });
-    (lets.collect(), passed.collect())
 }
 
 /// A path without spaces.

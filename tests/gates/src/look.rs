@@ -174,13 +174,29 @@ impl Look {
 
     /// The pixels of background from which the border of the picture can be reached, in steps to one of eight neighbours.
     pub(crate) fn outside(&self) -> Vec<bool> {
-        let mut outside = vec![false; self.pixels()];
-        // The model is two pixels away from the border.
+        let mut outside: Vec<bool> = vec![false; self.pixels()];
+        let is_open = |pixel: usize, outside: &[bool]| self.nearest[pixel] == NOTHING && !outside[pixel];
+        // The model is two pixels away from the border. A run of a row is filled at once.
         let mut open = vec![self.width + 1];
         while let Some(pixel) = open.pop() {
-            if self.nearest(pixel).is_none() && !outside[pixel] {
-                outside[pixel] = true;
-                open.extend(self.around(pixel).into_iter().flatten());
+            if !is_open(pixel, &outside) {
+                continue;
+            }
+            let row = pixel - pixel % self.width;
+            let begin = (row..pixel).rev().take_while(|at| is_open(*at, &outside)).last().unwrap_or(pixel);
+            let end = (pixel..row + self.width).find(|at| !is_open(*at, &outside)).unwrap_or(row + self.width);
+            outside[begin..end].fill(true);
+            let around = begin.saturating_sub(1).max(row)..(end + 1).min(row + self.width);
+            for below in [false, true] {
+                let beside = |at: usize| if below { Some(at + self.width) } else { at.checked_sub(self.width) };
+                let mut before = false;
+                for at in around.clone().filter_map(beside).filter(|at| *at < self.pixels()) {
+                    let is = is_open(at, &outside);
+                    if is && !before {
+                        open.push(at);
+                    }
+                    before = is;
+                }
             }
         }
         outside

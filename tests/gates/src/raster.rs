@@ -2,7 +2,7 @@
 
 /// A pixel belongs to a triangle if its middle is at least `inset` pixels inside; a negative number adds pixels around the edges, which
 /// closes cracks between triangles whose edges meet. The third number of a corner is interpolated.
-pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: &mut dyn FnMut(usize, f64)) {
+pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: &mut impl FnMut(usize, f64)) {
     let [a, mut b, mut c] = corners;
     let mut area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     if area < 0.0 {
@@ -27,19 +27,29 @@ pub(crate) fn pixels(corners: [[f64; 3]; 3], size: [usize; 2], inset: f64, put: 
     let (low, high) = (least(2), most(2));
     for y in first(1)..after(1) {
         let middle = y as f64 + 0.5;
-        for x in first(0)..after(0) {
-            let at = x as f64 + 0.5;
-            if edges.iter().all(|[nx, ny, d]| 0.0 <= nx * at + ny * middle + d) {
-                let q = a[2] + qx * (at - a[0]) + qy * (middle - a[1]);
-                put(y * size[0] + x, q.clamp(low, high));
+        let offsets = edges.map(|[_, ny, d]| ny * middle + d);
+        let is_in =
+            |x: usize| edges.iter().zip(offsets).all(|([nx, ..], offset)| 0.0 <= nx * (x as f64 + 0.5) + offset);
+        // Rounding is less than the pixel at both ends.
+        let (mut begin, mut end) = (first(0) as f64, after(0) as f64);
+        for ([nx, ..], offset) in edges.iter().zip(offsets) {
+            let zero = -offset / nx - 0.5;
+            if 0.0 < *nx {
+                begin = begin.max(zero - 1.0);
+            } else if *nx < 0.0 {
+                end = end.min(zero + 2.0);
             }
+        }
+        for x in (begin as usize..end.max(0.0) as usize).filter(|x| is_in(*x)) {
+            let q = a[2] + qx * (x as f64 + 0.5 - a[0]) + qy * (middle - a[1]);
+            put(y * size[0] + x, q.clamp(low, high));
         }
     }
 }
 
 /// Pixels of a triangle by the rules of graphics cards: corners are rounded to a grid of `grid` places in a pixel, and of two triangles with
 /// a common edge, one has the pixels whose middle is on it.
-pub(crate) fn snapped(corners: [[f64; 3]; 3], grid: f64, size: usize, put: &mut dyn FnMut(usize, f64)) {
+pub(crate) fn snapped(corners: [[f64; 3]; 3], grid: f64, size: usize, put: &mut impl FnMut(usize, f64)) {
     let snap = |c: f64| (c * grid).round() as i64;
     let [a, mut b, mut c] = corners.map(|[x, y, q]| (snap(x), snap(y), q));
     let cross =
