@@ -21,6 +21,7 @@ mod plane;
 mod points;
 mod segment;
 mod slab;
+mod snap;
 mod state;
 
 use std::cell::RefCell;
@@ -38,6 +39,7 @@ pub use iso::iso_bands;
 pub use iso::traced_iso_bands;
 pub use plane::above;
 pub use plane::{Plane, halves};
+pub use snap::snap;
 
 use caps::{Caps, sheet_search};
 use class::ClassRange;

@@ -46,7 +46,7 @@ impl<'s> SplitParts<'s> {
     ) -> ControlFlow<(), Self> {
         let total = row.total() as usize;
         let slabs = match &shape.geometry {
-            Geometry::Mesh(placed) if 0 < total => slabs(env, placed, axis, shape.scope.size, row)?,
+            Geometry::Mesh(placed) if 0 < total => slabs(env, placed, axis, &shape.scope, row)?,
             _ => Vec::new(),
         };
         // A negative size extends in the other direction from the origin.
@@ -240,23 +240,35 @@ impl PieceBorders {
     }
 }
 
+/// The rounding of a coordinate, as a share of the largest one.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// Cuts a mesh at the borders of all pieces in one pass, into one slab for each piece. `Break` when a limit is
 /// reached.
 fn slabs(
     env: &mut Env,
     placed: &Placed,
     axis: Axis,
-    size: DVec3,
+    scope: &Scope,
     row: impl Row,
 ) -> ControlFlow<(), Vec<Option<Arc<Mesh>>>> {
     let at = axis.index();
-    let (extent, stretch) = (size[at].abs(), placed.stretch(size)[at].abs());
+    let (extent, stretch) = (scope.size[at].abs(), placed.stretch(scope.size)[at].abs());
     let plane = |distance: f64| placed.low[at] + distance / stretch;
     let borders = PieceBorders::of(row, extent, plane(extent), plane);
     // While a cut lasts, the crossings of edges take as much memory as the parts.
     const COPIES: u64 = 2;
     let most = env.corners_left(COPIES);
-    let Some(mut cut) = cut::slabs_within(&placed.mesh, axis, &borders.rising, most) else {
+    // A part that is divided again where it was divided has no pieces that are thinner than rounding, in the world or in the mesh.
+    let farthest = |origin: DVec3, size: DVec3| (origin.abs() + size.abs()).max_element();
+    let in_world = farthest(scope.origin, scope.size) / stretch;
+    let rounding = ROUNDING * in_world.max(farthest(placed.low, placed.size));
+    let mesh = if rounding.is_finite() {
+        cut::snap(&placed.mesh, axis, &borders.rising, rounding)
+    } else {
+        placed.mesh.clone()
+    };
+    let Some(mut cut) = cut::slabs_within(&mesh, axis, &borders.rising, most) else {
         return env.too_many_corners(COPIES);
     };
     // *split operation*: surfaces get no caps. An asset is usually meant to be a solid, so it gets a fault; a single
@@ -266,7 +278,7 @@ fn slabs(
     }
     for (part, points) in cut.parts.iter_mut().zip(&cut.points) {
         if let Some(part) = part {
-            env.with_cut_trace(&placed.mesh, part, points);
+            env.with_cut_trace(&mesh, part, points);
         }
     }
     borders.one_a_piece(env, cut.parts)

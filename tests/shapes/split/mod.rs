@@ -2,6 +2,7 @@
 //! it makes no difference whether a split was solved by the macro. Lengths are the solver's business: see
 //! `cga-split/tests`.
 
+mod again;
 mod area;
 mod known;
 mod lots;

@@ -1,0 +1,54 @@
+//! A part that is divided again where it was divided: cuts follow edges.
+
+use cga::{Model, Shape, cga};
+
+cga! {
+    grammar Again = r#"
+    @StartRule Once  --> extrude(6.3) comp(f) { side : Wall | all : NIL }
+    @StartRule Twice --> extrude(6.3) comp(f) { side : inline { Wall } Wall | all : NIL }
+    @StartRule Solid --> extrude(6.3) inline { Wall } Wall
+    Wall --> split(x, noAdjust) { { { 0.31 : Post. | scope.sx * 0.2371 : Tile. }* }* | ~1.37 : Pane. }
+    "#;
+}
+
+/// The rule of each leaf, its sizes, its area and its number of faces.
+fn leaves(model: &Model) -> Vec<(String, [f64; 4])> {
+    let numbers = |leaf: &cga::LeafView<'_>| {
+        let (mesh, _) = leaf.mesh();
+        let area = mesh.faces().map(|face| face.area()).sum();
+        [leaf.size().x, leaf.size().y, area, mesh.face_count() as f64]
+    };
+    model.leaves().map(|leaf| (leaf.rule().to_owned(), numbers(&leaf))).collect()
+}
+
+/// Returns true if the rules are the same and the numbers differ by rounding alone.
+fn are_alike(a: &[(String, [f64; 4])], b: &[(String, [f64; 4])]) -> bool {
+    let is_near = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
+    let is_alike = |(a, b): (&(String, [f64; 4]), &(String, [f64; 4]))| a.0 == b.0 && a.1.iter().zip(&b.1).all(is_near);
+    a.len() == b.len() && a.iter().zip(b).all(is_alike)
+}
+
+/// A rectangle that is turned by an angle in degrees.
+fn turned(width: f64, depth: f64, angle: f64) -> Shape {
+    let (sin, cos) = angle.to_radians().sin_cos();
+    let corners = [[0.0, 0.0], [width, 0.0], [width, depth], [0.0, depth]];
+    Shape::footprint(&corners.map(|[x, z]| [x * cos + z * sin, z * cos - x * sin]), &[]).expect("a rectangle")
+}
+
+#[test]
+fn a_second_division_finds_the_edges_of_the_first() {
+    for (width, depth, turn) in
+        [(12.025, 10.6228, 0.0), (12.025, 10.6228, 17.31), (9.0385, 7.1, 45.0), (31.7, 0.9, 3.0)]
+    {
+        for offset in [[0.0; 3], [0.0, 0.0, 3.717], [-1013.7, 3.717, -21.93]] {
+            let shapes = [turned(width, depth, turn).at(offset), Shape::rectangle(width, depth).at(offset)];
+            for shape in shapes.iter().flat_map(|shape| [shape.clone(), shape.clone().held_as_meshes()]) {
+                let run = |rule: &str| Again::default().generate_from(rule, &shape).unwrap();
+                let [once, twice] = ["Once", "Twice"].map(|rule| leaves(&run(rule)));
+                assert!(are_alike(&once, &twice), "{width} {depth} {turn} {offset:?}: {once:?} {twice:?}");
+                let solid = run("Solid");
+                assert!(solid.leaves().all(|leaf| 1e-3 < leaf.mesh().0.volume()), "{width} {depth} {turn} {offset:?}");
+            }
+        }
+    }
+}
