@@ -1,8 +1,10 @@
 //! Arithmetic and trigonometry. Angles are in degrees.
 
+use crate::fault::FaultKind;
 use crate::geometry::rotation::sin_cos;
 use crate::run::env::Env;
 use crate::value::array::Array;
+use crate::value::number::Number;
 
 macro_rules! functions {
     ($($(#[$doc:meta])* $name:ident = |$x:ident| $value:expr;)*) => {$(
@@ -24,18 +26,12 @@ functions! {
     rint = |x| x.round_ties_even();
     /// The absolute value (*abs function*).
     abs = |x| x.abs();
-    /// Square root; NaN below zero (*sqrt function*).
-    sqrt = |x| x.sqrt();
     /// Sine (*sin function*).
     sin = |degrees| sin_cos(degrees).0;
     /// Cosine (*cos function*).
     cos = |degrees| sin_cos(degrees).1;
     /// Tangent (*tan function*).
     tan = |degrees| tangent(degrees);
-    /// Arc sine, in -90..=90; NaN outside -1..=1 (*asin function*).
-    asin = |x| libm::asin(x).to_degrees();
-    /// Arc cosine, in 0..=180; NaN outside -1..=1 (*acos function*).
-    acos = |x| libm::acos(x).to_degrees();
     /// Arc tangent, in -90..=90 (*atan function*).
     atan = |x| libm::atan(x).to_degrees();
     /// e to the power of x (*exp function*).
@@ -44,6 +40,44 @@ functions! {
     ln = |x| libm::log(x);
     /// Logarithm to base 10 (*log10 function*).
     log10 = |x| libm::log10(x);
+}
+
+/// Square root; NaN below zero, with a fault (*sqrt function*; *CGA changelog 2018.0*).
+#[inline]
+pub fn sqrt(env: &mut Env, x: f64) -> f64 {
+    let x = env.finite(x, "the argument of sqrt");
+    if x < 0.0 {
+        without_result(env, "sqrt", x, "below 0");
+    }
+    x.sqrt()
+}
+
+/// Arc sine, in -90..=90; NaN outside -1..=1, with a fault (*asin function*; *CGA changelog 2018.0*).
+#[inline]
+pub fn asin(env: &mut Env, x: f64) -> f64 {
+    libm::asin(sine(env, "asin", x)).to_degrees()
+}
+
+/// Arc cosine, in 0..=180; NaN outside -1..=1, with a fault (*acos function*; *CGA changelog 2018.0*).
+#[inline]
+pub fn acos(env: &mut Env, x: f64) -> f64 {
+    libm::acos(sine(env, "acos", x)).to_degrees()
+}
+
+/// The argument of `asin` or `acos`.
+fn sine(env: &mut Env, name: &str, x: f64) -> f64 {
+    let x = env.finite(x, format_args!("the argument of {name}"));
+    if 1.0 < x.abs() {
+        without_result(env, name, x, "outside of -1 to 1");
+    }
+    x
+}
+
+/// Records that a function has no value for its argument.
+#[cold]
+fn without_result(env: &mut Env, name: &str, x: f64, place: &str) {
+    let shown = Number(x);
+    env.fault(FaultKind::Value, format!("the argument of {name} is {shown}, {place}; the result is NaN"));
 }
 
 /// The tangent, exact for multiples of 45.
@@ -123,8 +157,11 @@ mod tests {
         assert_eq!((asin(env, 1.0), acos(env, -1.0), atan(env, 1.0)), (90.0, 180.0, 45.0));
         assert_eq!((atan2(env, 1.0, 0.0), atan2(env, 0.0, -1.0), atan2(env, -1.0, 0.0)), (90.0, 180.0, -90.0));
         assert!((sin(env, 30.0) - 0.5).abs() < 1e-15);
-        assert!(asin(env, 1.5).is_nan() && acos(env, -1.5).is_nan());
         assert_eq!(faults(env), 0);
+        assert!(asin(env, 1.5).is_nan() && acos(env, -1.5).is_nan());
+        assert_eq!(faults(env), 2);
+        assert_eq!((asin(env, f64::NAN), acos(env, f64::NAN)), (0.0, 90.0));
+        assert_eq!(faults(env), 2, "an argument that is not finite is one fault");
     }
 
     #[test]
@@ -144,8 +181,10 @@ mod tests {
     fn powers_and_logarithms() {
         let env = &mut env();
         assert_eq!((pow(env, 2.0, 10.0), exp(env, 0.0), log10(env, 1000.0), sqrt(env, 9.0)), (1024.0, 1.0, 3.0, 3.0));
-        assert!(sqrt(env, -1.0).is_nan());
+        assert_eq!(sqrt(env, -0.0), 0.0);
         assert_eq!(faults(env), 0);
+        assert!(sqrt(env, -1.0).is_nan());
+        assert_eq!(faults(env), 1);
     }
 
     #[test]

@@ -56,6 +56,8 @@ cga! {
         case kind == 4 : normalizeUV(0, uv, collectiveAllFaces) tileUV(0, 2, -4) X.
         case kind == 5 : normalizeUV(0, uv, collectiveAllFaces) tileUV(0, ~3, ^0.5) X.
         case kind == 6 : tileUV(0, 0, 8) X.
+        case kind == 7 : tileUV(0, ~0, 8) X.
+        case kind == 8 : tileUV(0, 5, ^0) X.
         else : scaleUV(0, 0, 1) normalizeUV(0, uv, collectiveAllFaces) tileUV(0, 1, 1) X.
 }
 
@@ -69,6 +71,8 @@ fn coordinates_are_fitted_and_tiled() {
         ([0.0, -2.0], [5.0, 0.0]),
         ([0.0, 0.0], [3.0, 2.0]),
         ([3.0, -0.25], [13.0, 0.75]),
+        ([3.0, -0.25], [13.0, 0.75]),
+        ([0.6, -2.0], [2.6, 6.0]),
         ([0.0, 0.0], [0.0, 8.0]),
     ];
     for (kind, (low, high)) in expected.into_iter().enumerate() {

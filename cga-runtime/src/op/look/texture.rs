@@ -255,6 +255,10 @@ pub fn tile_uv(env: &mut Env, shape: &mut Shape, set: f64, width: Size, height: 
     let Some(extent) = shape.to_mesh().uv_extent(usize::from(set), DVec3::ONE) else { return };
     let (range, metres) = (spread([extent.low, extent.high]), extent.metres);
     let mut factor = |tile: Size, range: f64, metres: f64, what: &str| {
+        let tile = Size { value: env.finite(tile.value, what), ..tile };
+        if tile.value == 0.0 {
+            return 1.0;
+        }
         let factor = metres / range / tile_size(env, tile, metres, what);
         if factor.is_finite() { factor } else { 1.0 }
     };
