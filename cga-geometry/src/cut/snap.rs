@@ -7,7 +7,7 @@ use crate::mesh::Mesh;
 
 /// Moves points along `axis` onto the nearest of the planes where the coordinate equals an offset, if they are at most `tolerance` away, in
 /// the mesh's own unit. A cut by [`slabs`](super::slabs()) along edges of the mesh then makes no faces that are thinner than the tolerance.
-/// Offsets must increase. Without such points it is the same mesh, not a copy. One pass over the points.
+/// Offsets must increase. Without such points, or if the tolerance is not finite, it is the same mesh, not a copy. One pass over the points.
 ///
 /// ```
 /// use std::sync::Arc;
@@ -29,7 +29,7 @@ pub fn snap(mesh: &Arc<Mesh>, axis: Axis, offsets: &[f64], tolerance: f64) -> Ar
         around.filter(|&offset| distance(offset) <= tolerance).min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
     };
     let is_near = |place: f64| plane(place).is_some_and(|offset| offset != place);
-    if !mesh.points().iter().any(|point| is_near(point[at])) {
+    if !tolerance.is_finite() || !mesh.points().iter().any(|point| is_near(point[at])) {
         return mesh.clone();
     }
     let mut points = mesh.points().to_vec();

@@ -263,11 +263,7 @@ fn slabs(
     let farthest = |origin: DVec3, size: DVec3| (origin.abs() + size.abs()).max_element();
     let in_world = farthest(scope.origin, scope.size) / stretch;
     let rounding = ROUNDING * in_world.max(farthest(placed.low, placed.size));
-    let mesh = if rounding.is_finite() {
-        cut::snap(&placed.mesh, axis, &borders.rising, rounding)
-    } else {
-        placed.mesh.clone()
-    };
+    let mesh = cut::snap(&placed.mesh, axis, &borders.rising, rounding.min(PLANAR_EPSILON * placed.size[at]));
     let Some(mut cut) = cut::slabs_within(&mesh, axis, &borders.rising, most) else {
         return env.too_many_corners(COPIES);
     };

@@ -52,3 +52,16 @@ fn a_second_division_finds_the_edges_of_the_first() {
         }
     }
 }
+
+/// A tolerance in metres of the world would be larger than the mesh.
+#[test]
+fn a_tiny_mesh_far_away_is_divided() {
+    for size in [1e-3, 1e-6, 1e-9] {
+        let shape = Shape::cuboid(size, size, size).at([1e6, 0.0, -1e6]).held_as_meshes();
+        let halves = cga! { Lot --> split(x, noAdjust) { ~1 : A. | ~1 : B. } };
+        let model = halves.generate(&shape).unwrap();
+        let volumes: Vec<f64> = model.leaves().map(|leaf| leaf.mesh().0.volume()).collect();
+        assert_eq!(volumes.len(), 2);
+        assert!(volumes.iter().all(|volume| 0.4 < volume / volumes.iter().sum::<f64>()), "{size}: {volumes:?}");
+    }
+}
