@@ -98,7 +98,8 @@ pub fn comp_cell(example: &Example, settings: &Settings) -> Cell {
         }
     };
     // Lines would hide how normals shade facets.
-    Cell { borders: !example.title.contains("Normals operation"), ..cell(example, settings, view, counts) }
+    let borders = !example.title.contains("Normals operation") || example.marks.contains(&Mark::Backs);
+    Cell { borders, ..cell(example, settings, view, counts) }
 }
 
 /// The azimuth and the elevation of the view. The page shows façades and edges from the front right, other examples from the front left.

@@ -16,17 +16,29 @@ const AXES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.75, 0.05], [0.1, 0.2, 0
 const BOX: [f64; 3] = [0.85, 0.75, 0.1];
 const INITIAL: [f64; 3] = [0.35; 3];
 
+const BACK: [f64; 3] = [0.02; 3];
+
 /// The lengths of marks, as shares of the diagonal of the marked model.
 const LINE: f64 = 0.005;
 const ARROW: f64 = 0.008;
 const HEAD: f64 = 0.03;
 const PIVOT: [f64; 2] = [0.07, 0.013];
+/// The distance of a lowered piece from its place, and of a drawn back from its face.
+const GAP: f64 = 0.02;
+const BEHIND: f64 = 1e-3;
 
 /// The model with the marks of an example.
 pub fn marked(model: &Model, example: &Example) -> Model {
     let start = (example.start)();
     let mut pen = Pen { unit: reach(model, &start).size().length(), out: Model::new() };
-    let _ = model.replay(&mut pen.out);
+    let is_lowered = |rule: &str| example.marks.iter().any(|mark| matches!(mark, Mark::Lowered(name) if *name == rule));
+    for leaf in model.leaves() {
+        if is_lowered(leaf.rule()) {
+            pen.lowered(&leaf);
+        } else {
+            let _ = leaf.replay(&mut pen.out);
+        }
+    }
     model.leaves().for_each(|leaf| pen.edge(&leaf));
     for mark in example.marks {
         match *mark {
@@ -44,7 +56,8 @@ pub fn marked(model: &Model, example: &Example) -> Model {
                 pen.edges(scope);
                 pen.scope(scope);
             }),
-            Mark::FromAbove | Mark::From(..) => {}
+            Mark::Backs => model.leaves().for_each(|leaf| pen.back(&leaf)),
+            Mark::Lowered(_) | Mark::FromAbove | Mark::From(..) => {}
         }
     }
     pen.out
@@ -123,6 +136,26 @@ impl Pen {
         if matches!(leaf.geometry(), Geometry::Placement) && 0.0 < size.x && size.y == 0.0 && size.z == 0.0 {
             let low = DVec3::new(0.0, -0.5 * width, -0.5 * width);
             self.bar(&leaf.scope().frame(), low, DVec3::new(size.x, width, width), [r, g, b]);
+        }
+    }
+
+    /// Draws a leaf a little lower than it is.
+    fn lowered(&mut self, leaf: &LeafView<'_>) {
+        let (mesh, place) = leaf.mesh();
+        let down = DVec3::NEG_Y * (GAP * self.unit);
+        let scope = Scope { origin: leaf.scope().origin + down, ..leaf.scope() };
+        let place = DAffine3::from_translation(down) * place;
+        let _ = self.out.mesh(&Leaf::new(&Text::from(leaf.rule()), leaf.material(), &scope), &mesh, &place);
+    }
+
+    /// Draws the faces of a leaf again, in black and a little behind.
+    fn back(&mut self, leaf: &LeafView<'_>) {
+        let (mesh, place) = leaf.mesh();
+        for face in mesh.faces() {
+            let behind = place.transform_vector3(face.normal()).normalize_or_zero() * (-BEHIND * self.unit);
+            let outline: Vec<DVec3> = face.outline().collect();
+            let alone = Mesh::from_polygon(&outline, &[]).expect("the outline of a face");
+            self.mesh(Arc::new(alone), BACK, &(DAffine3::from_translation(behind) * place));
         }
     }
 

@@ -353,7 +353,7 @@ Blue --> color("#0399F5")
 Green --> color("#09DE1F")
 Yellow --> color("#FADB19")
 Purple --> color("#8D09DE")
-"##
+"##; marks &[Mark::From(15.0, -20.0)]
 }
 
 example! {

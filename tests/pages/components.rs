@@ -266,7 +266,7 @@ example! {
     r##"Init --> extrude(4) comp(f) {
    isTagged("extrude.bottom") : color("#0399F5") Bottom. | isTagged("extrude.side.outer") : color("#FADB19") Outer. |
    isTagged("extrude.side.inner") : color("#FF360A") Inner. | isTagged("extrude.top") : color("#09DE1F") Top. }
-"##
+"##; marks &[Mark::Lowered("Bottom")]
 }
 
 example! {

@@ -57,6 +57,10 @@ pub enum Mark {
     ScopePivots(&'static str),
     /// The edges and the axes of the scope of each shape of a rule that has successors.
     Inner(&'static str),
+    /// The picture shows the pieces of a rule a little lower, so that the rim of a bottom is visible.
+    Lowered(&'static str),
+    /// The picture shows the backs of all faces in black, and their borders.
+    Backs,
     /// The picture shows the model from this azimuth and elevation in degrees: (0, 0) is from the front, (90, 0) from the right.
     From(f64, f64),
     /// The picture shows the model from above.
@@ -71,7 +75,8 @@ impl Mark {
             | Mark::Scope(rule, _)
             | Mark::Boxes(rule)
             | Mark::Pivots(rule)
-            | Mark::ScopePivots(rule) => Some(rule),
+            | Mark::ScopePivots(rule)
+            | Mark::Lowered(rule) => Some(rule),
             _ => None,
         }
     }

@@ -117,7 +117,7 @@ Colored --> comp(f) {
    isTagged("envelope.bottom") : color("#0399F5") Bottom. | isTagged("envelope.side.base") : color("#FADB19") Base. |
    isTagged("envelope.side.slope") : color("#FF9900") Slope. | isTagged("envelope.side.inner") : color("#FF360A") Inner. |
    isTagged("envelope.top") : color("#09DE1F") Top. }
-"##
+"##; marks &[Mark::Lowered("Bottom")]
 }
 
 example! {
@@ -128,7 +128,7 @@ Colored --> comp(f) {
    isTagged("envelope.bottom") : color("#0399F5") Bottom. | isTagged("envelope.side.base") : color("#FADB19") Base. |
    isTagged("envelope.side.slope") : color("#FF9900") Slope. | isTagged("envelope.side.inner") : color("#FF360A") Inner. |
    isTagged("envelope.top") : color("#09DE1F") Top. }
-"##
+"##; marks &[Mark::Lowered("Bottom")]
 }
 
 example! {

@@ -70,17 +70,17 @@ example! {
 }
 
 example! {
-    /// "Building with inconsistent face normals." Faces grow to the side to which they look.
-    inconsistent, "setNormals operation, inconsistent faces", houses(),
-    r##"Building --> comp(f) { world.down : Down. | all : extrude(0.5) color("#aaaaaa") Part. }
-"##
+    /// "Building with inconsistent face normals." The picture shows backs in black, as the page's does.
+    inconsistent, "setNormals operation, inconsistent faces (backs in black)", houses(),
+    r##"Building --> color("#aaaaaa") comp(f) { world.down : Down. | all : Part. }
+"##; marks &[Mark::Backs]
 }
 
 example! {
     /// "Building with consistent face normals."
-    consistent, "setNormals operation, conform", houses(),
-    r##"Building --> setNormals(conform) comp(f) { world.down : Down. | all : extrude(0.5) color("#aaaaaa") Part. }
-"##
+    consistent, "setNormals operation, conform (backs in black)", houses(),
+    r##"Building --> setNormals(conform) color("#aaaaaa") comp(f) { world.down : Down. | all : Part. }
+"##; marks &[Mark::Backs]
 }
 
 example! {

@@ -224,7 +224,7 @@ example!(
 
     Blue --> color("#0080ff") Blue_.
     Green --> color("#00ff00") Green_.
-"##
+"##; marks &[Mark::Lowered("Blue_")]
 );
 
 example!(
@@ -240,7 +240,7 @@ example!(
     Blue --> color("#0080ff") Blue_.
     Yellow --> color("#ffff00") Yellow_.
     Green --> color("#00ff00") Green_.
-"##
+"##; marks &[Mark::Lowered("Blue_")]
 );
 
 example!(
@@ -254,7 +254,7 @@ example!(
 
     Blue --> color("#0080ff") Blue_.
     Green --> color("#00ff00") Green_.
-"##
+"##; marks &[Mark::Lowered("Blue_")]
 );
 
 example!(
@@ -272,7 +272,7 @@ example!(
     Yellow --> color("#ffff00") Yellow_.
     Red --> color("#ff4000") Red_.
     Green --> color("#00ff00") Green_.
-"##
+"##; marks &[Mark::Lowered("Blue_")]
 );
 
 example!(
@@ -290,7 +290,7 @@ example!(
     Yellow --> color("#ffff00") Yellow_.
     Red --> color("#ff4000") Red_.
     Green --> color("#00ff00") Green_.
-"##
+"##; marks &[Mark::Lowered("Blue_")]
 );
 
 example!(

@@ -167,7 +167,7 @@ SelCube-->
    [ color("#ff00ff") s(1,1,1) center(xz) X ]
    [ color("#00ffff") s(1,1,1) center(yz) X ]
    [ color("#ffffff") s(1,1,1) center(xyz) X ]
-"##; marks &[Mark::From(-140.0, 30.0), Mark::Inner("SelCube")]
+"##; marks &[Mark::From(-130.0, 18.0), Mark::Inner("SelCube")]
 }
 
 example! {

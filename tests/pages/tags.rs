@@ -170,7 +170,7 @@ example! {
          comp(f) { isTagged("roof.bottom") : color("#0399F5") Bottom.
                  | isTagged("roof.side")   : color("#FADB19") Side.
                  | isTagged("roof.top")    : color("#09DE1F") Top. }
-"##
+"##; marks &[Mark::Lowered("Bottom")]
 }
 
 /// An example of edge and vertex tag propagation. The faces, edges and vertices of all pictures are marked alike.
