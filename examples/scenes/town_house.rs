@@ -117,7 +117,7 @@ cga! {
 
     Garden  --> split(x) { ~1.7 : Bed | ~1 : split(x) { ~1 : Bed | 1.9 : Path | ~1 : Bed } }
     Path    --> Paved(0.1, "#c6beb0", "paving", 1.8, 1.6)
-    Bed     --> split(z) { ~1 : Planted | 0.3 : Fence }
+    Bed     --> case scope.sx < 1 : Lawn else : split(z) { ~1 : Planted | 0.3 : Fence }
     Planted --> [ Lawn ] Shrubs
     Shrubs  --> case scope.sx < 2 : NIL
                 else              : s(scope.sx - 1, 0, scope.sz - 1) center(xz) scatter(surface, ceil(2.5 * scope.sx), uniform) { Shrub }
