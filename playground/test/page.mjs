@@ -18,7 +18,7 @@ const TARGET = process.env.CARGO_TARGET_DIR ?? join(ROOT, 'target');
 mkdirSync(OUT, { recursive: true });
 
 /** The bytes that all files of the page may have after compression. */
-const SIZE = 1_750_000;
+const SIZE = 1_760_000;
 /** Milliseconds until the first model is shown, and from the move of a slider until its model is. */
 const TIMES = { first: 2000, slider: 50 };
 /** Times are bounds for a quiet machine; a busy one is allowed this factor. */
@@ -246,8 +246,10 @@ await check('every control changes its attribute', async () => {
       const wrong = [];
       const error = document.querySelector('#error');
       for (const { name, value } of changes) {
-        await afterRun(() => set(name, value));
         const undo = document.querySelector(`[data-name="${name}"] .undo`);
+        // Some grammars of the page begin with other values than their defaults.
+        if (!undo.hidden) await afterRun(() => undo.click());
+        await afterRun(() => set(name, value));
         if (error.textContent || undo.hidden) wrong.push(`${name} did not change: ${error.textContent}`);
         await afterRun(() => undo.click());
         if (error.textContent || !undo.hidden) wrong.push(`${name} was not reset: ${error.textContent}`);
@@ -265,7 +267,7 @@ await check('values are refused with a sentence', async () => {
   const other = await openPage(browser, `${server.address}#grammar=tower&.${slider.name}=1e9&.nothing=1&seed=3`);
   await settle(other.page);
   const text = await other.page.$eval('#error', (error) => error.textContent);
-  ensure(text.includes('outside of') && text.includes('no attribute `nothing`'), text);
+  ensure(text.includes('outside of') && text.includes('unknown attribute `nothing`'), text);
   equal(await other.page.$eval('#seed', (input) => input.value), '3', 'seed');
   await other.page.close();
   return text;

@@ -153,8 +153,9 @@ impl Pen {
         let (mesh, place) = leaf.mesh();
         for face in mesh.faces() {
             let behind = place.transform_vector3(face.normal()).normalize_or_zero() * (-BEHIND * self.unit);
-            let outline: Vec<DVec3> = face.outline().collect();
-            let alone = Mesh::from_polygon(&outline, &[]).expect("the outline of a face");
+            let mut rings = face.loops().map(|ring| ring.iter().map(|&point| mesh.points()[point as usize]).collect());
+            let (outline, holes): (Vec<DVec3>, _) = (rings.next().expect("an outline"), rings.collect::<Vec<_>>());
+            let alone = Mesh::from_polygon(&outline, &holes).expect("the rings of a face");
             self.mesh(Arc::new(alone), BACK, &(DAffine3::from_translation(behind) * place));
         }
     }
