@@ -97,7 +97,7 @@ impl Engine {
         let assets = if files.is_empty() { entry.assets.clone() } else { Arc::new(Assets::from_source(files)) };
         match run(grammar, entry, request, text, assets, self.clock) {
             Ok((run, notes)) => {
-                let facts = Some(facts(&run.text, &run.grammar, &run.model, &notes));
+                let facts = Some(facts(&run.text, &run.grammar, entry.values, &run.model, &notes));
                 self.run = Some(run);
                 Answer { findings, refused, error: None, facts }
             }

@@ -1,14 +1,16 @@
 //! The facts about a run, as JSON.
 
 use std::collections::BTreeMap;
+use std::mem::discriminant;
 
 use cga::{Grammar, Model, RuleFile};
 use serde_json::{Value, json};
 
 use crate::rule_lines::{NameLines, rule_lines};
 
-/// The attributes, the values that the run used, start rules, counts, reports and faults.
-pub(crate) fn facts(text: &str, grammar: &RuleFile, model: &Model, notes: &[String]) -> Value {
+/// The attributes, the values that the run used, start rules, counts, reports and faults. `first` has the values, as JSON, with which
+/// the page shows the grammar: a reset goes back to them.
+pub(crate) fn facts(text: &str, grammar: &RuleFile, first: &str, model: &Model, notes: &[String]) -> Value {
     let lines = rule_lines(text);
     let rules = model.counts().into_iter().map(|(rule, leaves)| {
         // An imported rule is not in the text.
@@ -16,7 +18,15 @@ pub(crate) fn facts(text: &str, grammar: &RuleFile, model: &Model, notes: &[Stri
         json!({ "name": rule, "leaves": leaves, "lines": lines })
     });
     let bounds = model.bounds();
-    let attributes: Value = serde_json::from_str(&grammar.attributes_json()).unwrap_or_default();
+    let mut attributes: Vec<Value> = serde_json::from_str(&grammar.attributes_json()).unwrap_or_default();
+    let first: Value = serde_json::from_str(first).unwrap_or_default();
+    for attribute in &mut attributes {
+        let value = attribute["name"].as_str().and_then(|name| first.get(name)).cloned();
+        // Rules that a user changed may have another type.
+        if let Some(value) = value.filter(|value| discriminant(value) == discriminant(&attribute["default"])) {
+            attribute["default"] = value;
+        }
+    }
     let faults = model.faults().iter().map(ToString::to_string).chain(notes.iter().cloned());
     json!({
         "attributes": attributes,

@@ -53,6 +53,18 @@ fn loaded_rules_give_the_files_of_compiled_rules() {
     }
 }
 
+/// A reset of an attribute goes to its default, so the page would show a reset that changes nothing.
+#[test]
+fn grammars_begin_with_their_defaults() {
+    let mut engine = Engine::new(clock);
+    for entry in entries() {
+        let answer = engine.answer(&Request::of(entry.name()));
+        for attribute in facts(&answer)["attributes"].as_array().expect("a list") {
+            assert_eq!(attribute["value"], attribute["default"], "{}: {}", entry.name(), attribute["name"]);
+        }
+    }
+}
+
 #[test]
 fn each_leaf_has_a_line() {
     let mut engine = Engine::new(clock);
