@@ -25,6 +25,10 @@ pub(crate) const TOUCH_EPSILON: f64 = 1e-7;
 /// crossings are rounded.
 pub(crate) const AROUND_EPSILON: f64 = 1e-12;
 
+/// A point that is as near as this to a plane of a division, relative to the largest coordinate in the world or in the mesh, is moved onto
+/// it: the rounding of a few steps.
+pub const SNAP_EPSILON: f64 = 16.0 * f64::EPSILON;
+
 /// Edges count as straight if the sine of the angle between their directions is below this.
 pub const STRAIGHT_EPSILON: f64 = 1e-7;
 

@@ -15,7 +15,6 @@ use crate::pages::example::{Example, Mark};
 const AXES: [[f64; 3]; 3] = [[0.9, 0.05, 0.05], [0.05, 0.75, 0.05], [0.1, 0.2, 0.95]];
 const BOX: [f64; 3] = [0.85, 0.75, 0.1];
 const INITIAL: [f64; 3] = [0.35; 3];
-
 const BACK: [f64; 3] = [0.02; 3];
 
 /// The lengths of marks, as shares of the diagonal of the marked model.

@@ -11,7 +11,7 @@ use crate::fault::FaultKind;
 use crate::geometry::Axis;
 use crate::geometry::cut;
 use crate::geometry::mesh::Mesh;
-use crate::geometry::tol::PLANAR_EPSILON;
+use crate::geometry::tol::{PLANAR_EPSILON, SNAP_EPSILON};
 use crate::geometry::wire::Wire;
 use crate::run::env::Env;
 use crate::run::sink::Flow;
@@ -240,9 +240,6 @@ impl PieceBorders {
     }
 }
 
-/// The rounding of a coordinate, as a share of the largest one.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-
 /// Cuts a mesh at the borders of all pieces in one pass, into one slab for each piece. `Break` when a limit is
 /// reached.
 fn slabs(
@@ -262,7 +259,7 @@ fn slabs(
     // A part that is divided again where it was divided has no pieces that are thinner than rounding, in the world or in the mesh.
     let farthest = |origin: DVec3, size: DVec3| (origin.abs() + size.abs()).max_element();
     let in_world = farthest(scope.origin, scope.size) / stretch;
-    let rounding = ROUNDING * in_world.max(farthest(placed.low, placed.size));
+    let rounding = SNAP_EPSILON * in_world.max(farthest(placed.low, placed.size));
     let mesh = cut::snap(&placed.mesh, axis, &borders.rising, rounding.min(PLANAR_EPSILON * placed.size[at]));
     let Some(mut cut) = cut::slabs_within(&mesh, axis, &borders.rising, most) else {
         return env.too_many_corners(COPIES);
